@@ -8,11 +8,6 @@ add_test(NAME docs.words_and_sentences
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/prose_test.py ${PROJECT_SOURCE_DIR})
 add_test(NAME docs.numbers_of_the_readme
   COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/docs/figures/readme_numbers.py ${PROJECT_SOURCE_DIR})
-add_test(NAME docs.sentences_stand_in_words
-  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/sentences_test.py ${PROJECT_SOURCE_DIR})
-add_test(NAME docs.sentences_elsewhere_are_found
-  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/sentences_test.py --self-test)
-set_tests_properties(docs.sentences_stand_in_words docs.sentences_elsewhere_are_found PROPERTIES LABELS docs TIMEOUT 60)
 set_tests_properties(docs.links_lead_somewhere docs.words_and_sentences docs.numbers_of_the_readme PROPERTIES LABELS docs TIMEOUT 60)
 
 set(docs_python /usr/bin/python3)  # the system's, as in python/CMakeLists.txt

@@ -33,7 +33,7 @@ struct AttractorsArguments : CommonArguments {
 std::vector<double> parse_state(const std::string& text, int balls) {
   std::vector<double> state;
   const std::size_t size = 4 + 2 * static_cast<std::size_t>(balls);
-  const std::string allowed = fmt::format(words::state_form, size);
+  const std::string allowed = fmt::format("{} numbers separated by commas: x,y,u,v, ball angles, ball rates", size);
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
     state.push_back(option_number<double>("--state", text.substr(at, comma - at), -1e6, 1e6, allowed.c_str()));
@@ -76,7 +76,7 @@ int run_attractors(const AttractorsArguments& a) {
   AttractorsOptions options;
   begin_computing(a, options);
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
-    if (!value->empty()) throw InputError(option, "", *value, words::along_only);
+    if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   const Study study = at_medians(source_of(a).with());
   if (a.starts) options.starts = study.sampling.starts;
   options.warm_start_states = states_of(a, study);

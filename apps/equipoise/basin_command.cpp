@@ -21,7 +21,7 @@
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -74,7 +74,8 @@ std::string transients_text(const Study& study, const TransientRow& row) {
 
 int print_replay(const Study& study, const BasinOptions& options, const std::string& given, ProgressLine& progress) {
   constexpr std::uint64_t largest = 999'999'999'999;
-  const auto index = option_number<std::uint64_t>("--start-index", given, 0, largest, words::index_range);
+  const auto index =
+      option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
   StartReplay replay;
   try {
     replay = replay_start(study, index, options);
@@ -117,7 +118,8 @@ int run_basin(const BasinArguments& a) {
   require_ending("--report", a.report, ".html");
   require_writable("--report", a.report);
   if (a.start_index && !a.report.empty())
-    throw InputError("--report", "", display_text(a.report), words::page_of_an_ensemble);
+    throw InputError("--report", "", display_text(a.report),
+                     "a page reports an ensemble, not one start; must be left out with --start-index");
   StudySource source = source_of(a);
   if (a.decide) {
     option_choice<ClassificationMode>("--decide", *a.decide, classification_mode_names);
@@ -139,7 +141,9 @@ int run_basin(const BasinArguments& a) {
   SensitivityOptions depends;
   if (a.sensitivity) {
     static_cast<RunOptions&>(depends) = options;
-    if (a.rows) depends.rows = option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, words::row_range);
+    if (a.rows)
+      depends.rows =
+          option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
     check_sensitivity(study);
   }
   BasinResult result;

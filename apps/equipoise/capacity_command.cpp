@@ -60,9 +60,12 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   const std::vector<std::string> goals = capacity_goals(plan.study());
   option_choice<int>("--by", a.by, goals);
   options.by = a.by;
-  if (a.at_least) options.at_least = option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, words::share_range);
+  if (a.at_least)
+    options.at_least =
+        option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, "a fraction of one from 0.01 to 0.9999");
   if (a.precision)
-    options.precision = option_number<double>("--precision", *a.precision, 1e-4, 0.1, words::precision_range);
+    options.precision =
+        option_number<double>("--precision", *a.precision, 1e-4, 0.1, "a part of the range from 0.0001 to 0.1");
   options.output = a.output;
   options.threads = team.threads(a.threads);
   options.stop = &stop_flag();
@@ -93,7 +96,7 @@ int run_capacity(CapacityArguments& a) {
                 [&] { return plot_file(capacity_title(result), capacity_plots(result)); },
                 [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
-  WorkLeft left{result.resumed_trials + result.trials, result.most_trials, words::trials};
+  WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
   if (result.trials > 0)
     left.seconds = result.seconds / static_cast<double>(result.trials) * static_cast<double>(left.total - left.done);
   return ended_early(left, kept_by_output, a.output);

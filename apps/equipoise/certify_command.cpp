@@ -17,7 +17,6 @@
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -33,7 +32,8 @@ constexpr std::size_t longest_certificates = std::size_t{64} << 20;
 std::string read_certificates(const std::string& path) {
   auto [text, problem] = read_file(path, longest_certificates);
   if (!problem.empty())
-    throw InputError("--check", "", display_text(path), fmt::format(words::not_a_certificate, problem));
+    throw InputError("--check", "", display_text(path),
+                     fmt::format("cannot be read ({}); must be a file written by equipoise certify -o", problem));
   return std::move(text);
 }
 
@@ -46,15 +46,17 @@ int check_file(const std::string& path, bool as_json) {
 void write_certificates(const std::string& path, const CertifyResult& result) {
   const std::string text = certificates_json(result);
   if (text.empty())
-    say(words::nothing_proved, display_text(path));
+    say("nothing is proved, so {} is not written", display_text(path));
   else
     write_file(path, text);
 }
 
 int run_certify(const CertifyArguments& a) {
-  if (a.check.empty() == a.study.empty()) throw InputError("certify", "", "", words::study_or_certificate);
+  if (a.check.empty() == a.study.empty())
+    throw InputError("certify", "", "", "give either a study or --check with a certificate's file");
   if (!a.check.empty()) {
-    if (!a.overrides.empty() || !a.output.empty()) throw InputError("--check", "", a.check, words::checked_as_it_is);
+    if (!a.overrides.empty() || !a.output.empty())
+      throw InputError("--check", "", a.check, "a certificate is checked as it is: --set and -o need a study");
     begin_time(a.within);
     return check_file(a.check, a.json);
   }

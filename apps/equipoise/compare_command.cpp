@@ -36,7 +36,7 @@ Side side(const std::string& given, const CompareArguments& a, bool second) {
   const bool set = !a.overrides.empty() || (second && !a.second_overrides.empty());
   if (given.ends_with(".nc")) {
     if (set || a.starts || a.seed)
-      throw InputError(given, set ? "--set" : "--starts, --seed", "", words::result_is_done);
+      throw InputError(given, set ? "--set" : "--starts, --seed", "", "go with studies; a result is already computed");
     result.stored = read_basin_outcomes(given);
     return result;
   }
@@ -65,7 +65,7 @@ int run_compare(const CompareArguments& a) {
   put(a.json ? comparison_json(result) : comparison_text(result, text_style()));
   if (!result.partial || !(stop_flag() || time_is_limited())) return done;
   const Study& asked = second.study ? *second.study : first.study.value_or(result.first);
-  WorkLeft left{result.starts, asked.sampling.starts, words::starts_of_both};
+  WorkLeft left{result.starts, asked.sampling.starts, "starts of both"};
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (left.done > 0) left.seconds = taken * (static_cast<double>(left.total) / static_cast<double>(left.done) - 1.0);
   return ended_early(left, nullptr, "");

@@ -19,7 +19,6 @@
 #include "team.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -34,7 +33,7 @@ StudySource design_source(const DesignArguments& a) {
   StudySource source = source_of(a);
   if (a.trajectories) {
     const auto n = option_number<std::uint64_t>("--trajectories", *a.trajectories, 1000, 1'000'000'000'000,
-                                                words::trajectory_range);
+                                                "a whole number from 1000 to 1000000000000");
     source.overrides.push_back(fmt::format("design.trajectories={}", n));
   }
   return source;
@@ -69,7 +68,7 @@ int run_design(const DesignArguments& a) {
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {
-    left = WorkLeft{result.trajectories, std::max(result.budget, result.trajectories), words::trajectories};
+    left = WorkLeft{result.trajectories, std::max(result.budget, result.trajectories), "trajectories"};
     left->seconds = result.seconds * (static_cast<double>(left->total) / static_cast<double>(left->done) - 1.0);
   }
   if (result.partial) return ended_early(left, kept_by_output, a.output);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -47,8 +46,14 @@ bool repeats_work(const CLI::App& command) {
     return true;
   }
   throw InputError(job.variable, "", "",
-                   !shares ? fmt::format(words::shares_no_work, job.size, name)
-                           : fmt::format(words::built_without_mpi, job.size, parts ? words::or_a_part_each : ""));
+                   !shares
+                       ? fmt::format("says that {} processes were started, but \"{}\" shares no work: each would do "
+                                     "the whole work. Start one process, which uses all cores",
+                                     job.size, name)
+                       : fmt::format("says that {} processes were started, but this program is built without MPI: each "
+                                     "would do the whole work. Install an MPI library (Debian: apt-get install "
+                                     "libopenmpi-dev) and build again (./dev run, or cmake), or {}start one process",
+                                     job.size, parts ? "give each process a part with --shard I/N, or " : ""));
 }
 
 }  // namespace equipoise::app

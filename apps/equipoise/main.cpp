@@ -23,7 +23,6 @@
 #include "team.hpp"
 #include "usage.hpp"
 #include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -52,8 +51,9 @@ void ask_to_stop(int signal) {
 }
 
 std::string version_text() {
-  return fmt::format(words::version, version_string, __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(),
-                     optimisers_version(), mpi_text());
+  return fmt::format("equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\noptimisers: {}\nMPI: {}\n",
+                     version_string, __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(), optimisers_version(),
+                     mpi_text());
 }
 
 // "help basin" means "basin --help". The name of an unknown command stays, to be reported.
@@ -142,10 +142,11 @@ int say_error(const std::exception_ptr& thrown) {
     say(from_options(e).what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    say(words::out_of_memory);
+    say("out of memory: the system gives no more to this process");
     return failed;
   } catch (const std::system_error& e) {
-    say(e.code() == std::errc::resource_unavailable_try_again ? words::no_more_threads : e.what());
+    say(e.code() == std::errc::resource_unavailable_try_again ? "the system makes no more threads for this process"
+                                                              : e.what());
     return failed;
   } catch (const std::exception& e) {
     say(e.what());

@@ -4,13 +4,12 @@
 
 #include "commands.hpp"
 #include "team.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
 class Post {};
 
-std::string mpi_text() { return words::mpi_not_built_in; }
+std::string mpi_text() { return "not built in"; }
 bool has_mpi() { return false; }
 
 Team::Team() = default;

@@ -27,17 +27,17 @@ double option_time(const char* option, const std::string& text, const Study& stu
   const auto unit = study::unit_of(study, study::Dimension::time);
   const study::GivenValue given = study::read_given(text, unit);
   if (given.problem.empty() && given.value >= least && given.value <= most) return given.value;
-  std::string problem = fmt::format(words::must_be, allowed);
+  std::string problem = fmt::format("must be {}", allowed);
   if (unit)
-    problem = fmt::format(words::must_be_time, allowed);
+    problem = fmt::format("must be {}, in 1/omega_c, or a time, such as \"10 s\"", allowed);
   else if (study::measure(text, {study::Dimension::time}).problem.empty())
-    problem = fmt::format(words::no_units, allowed);
+    problem = fmt::format("must be {}: this study has no units", allowed);
   throw InputError(option, "", display_text(text), problem);
 }
 
 int threads_option(const std::optional<std::string>& text) {
   if (!text) return 0;
-  const int threads = option_number<int>("--threads", *text, 1, 4096, words::thread_range);
+  const int threads = option_number<int>("--threads", *text, 1, 4096, "a whole number from 1 to 4096");
   // TBB makes no more threads than the machine has cores unless told to, and complains on standard error.
   static std::optional<tbb::global_control> allowed;
   const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
@@ -50,11 +50,13 @@ std::vector<std::string> overrides_of(const CommonArguments& a) {
   constexpr std::uint64_t most = 1'000'000'000'000, largest = std::numeric_limits<std::int64_t>::max();
   std::vector<std::string> overrides = a.overrides;
   if (a.starts) {
-    const auto n = option_number<std::uint64_t>("--starts", *a.starts, 1, most, words::start_range);
+    const auto n =
+        option_number<std::uint64_t>("--starts", *a.starts, 1, most, "a whole number from 1 to 1000000000000");
     overrides.push_back(fmt::format("sampling.starts={}", n));
   }
   if (a.seed) {
-    const auto s = option_number<std::uint64_t>("--seed", *a.seed, 0, largest, words::seed_range);
+    const auto s =
+        option_number<std::uint64_t>("--seed", *a.seed, 0, largest, "a whole number from 0 to 9223372036854775807");
     overrides.push_back(fmt::format("sampling.seed={}", s));
   }
   return overrides;
@@ -69,21 +71,23 @@ Study at_medians(Study study) {
   std::string values;
   for (const UncertainValue& v : study.uncertain.values)
     values += fmt::format("{}{} = {}{}", values.empty() ? "" : ", ", v.key, v.text(v.taken()),
-                          v.has_no_direction() ? words::drawn_all_round : "");
-  say(words::at_medians, values);
+                          v.has_no_direction() ? " (a quarter turn: it is drawn all round)" : "");
+  say("samples nothing; uncertain values are at their medians: {}", values);
   return with_medians(std::move(study));
 }
 
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
   if (const std::string problem = io::why_not_writable(path); !problem.empty())
-    throw InputError(option, "", path, fmt::format(words::not_writable, problem));
+    throw InputError(option, "", path,
+                     fmt::format("cannot be written: {}; must be a file in a folder that exists", problem));
 }
 
 void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
   if (path.empty() || path.ends_with(first) || (second && path.ends_with(second))) return;
   throw InputError(option, "", display_text(path),
-                   second ? fmt::format(words::ends_in_either, first, second) : fmt::format(words::ends_in, first));
+                   second ? fmt::format("must be a file name that ends in {} or {}", first, second)
+                          : fmt::format("must be a file name that ends in {}", first));
 }
 
 void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }

@@ -40,7 +40,7 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
     whole = read.ec == std::errc() && read.ptr == end;
   }
   if (!whole || !(value >= low && value <= high))
-    throw InputError(option, "", display_text(text), fmt::format(words::must_be, allowed));
+    throw InputError(option, "", display_text(text), fmt::format("must be {}", allowed));
   return value;
 }
 
@@ -54,7 +54,7 @@ template <class Enumeration, class Names>
 Enumeration option_choice(const char* option, const std::string& text, const Names& names) {
   const auto at = std::find(names.begin(), names.end(), text);
   if (at != names.end()) return static_cast<Enumeration>(at - names.begin());
-  throw InputError(option, "", display_text(text), fmt::format(words::one_of, fmt::join(names, ", ")));
+  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(names, ", ")));
 }
 
 /// --threads T; 0 if absent, for all cores. More threads than cores are made if asked for.

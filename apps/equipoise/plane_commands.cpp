@@ -24,7 +24,6 @@
 #include "result_forms.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -40,13 +39,14 @@ SliceAxis axis_of(const Study& study, const std::string& text, const std::string
   const std::string range_option = option + "-range";
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos && range.empty() && !SliceAxis{text, 0.0, 1.0, pixels}.angle())
-    throw InputError(
-        option, text, "",
-        fmt::format(words::axis_without_range, option, text, text.starts_with("speed") ? "1.5:6" : "0.01:0.5"));
+    throw InputError(option, text, "",
+                     fmt::format("has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}", option, text,
+                                 text.starts_with("speed") ? "1.5:6" : "0.01:0.5"));
   if (equals == std::string::npos) return slice_axis(study, text, range, pixels, range_option);
   if (!range.empty())
-    throw InputError(range_option, "", display_text(range), fmt::format(words::range_given_twice, option));
-  if (equals == 0 || equals + 1 == text.size()) throw InputError(option, "", display_text(text), words::axis_form);
+    throw InputError(range_option, "", display_text(range), fmt::format("{} has a range, too; give one", option));
+  if (equals == 0 || equals + 1 == text.size())
+    throw InputError(option, "", display_text(text), "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6");
   return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), pixels, option);
 }
 
@@ -136,10 +136,13 @@ struct ChartArguments : PlaneArguments {
 ChartSettings chart_settings(const ChartArguments& a) {
   ChartSettings settings;
   if (!(a.undecided > 0.0 && a.undecided < 100.0))
-    throw InputError("--undecided", "", fmt::format("{}", a.undecided), words::undecided_range);
+    throw InputError("--undecided", "", fmt::format("{}", a.undecided),
+                     "must be a part of the plane in percent, more than 0 and less than 100");
   settings.undecided = 0.01 * a.undecided;
   constexpr std::uint64_t most_boxes = 1'000'000'000;
-  if (a.boxes) settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
+  if (a.boxes)
+    settings.boxes =
+        option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, "a whole number from 0 to 1000000000");
   settings.cycles = a.cycles;
   return settings;
 }
@@ -173,7 +176,7 @@ int run_map(const MapArguments& a) {
       a, {"map", kept_by_output}, [&](const Study& study) { return map_settings(a, study); },
       [](const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); },
       [&](const BasinSlice& map, const StudySource& source) {
-        if (map.read_whole) say(words::map_read, a.output);
+        if (map.read_whole) say("read from {}", a.output);
         return FormMakers{[&] { return map_text(map, text_style()); },
                           [&] { return map_json(map); },
                           {},

@@ -9,7 +9,6 @@
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -25,7 +24,7 @@ std::chrono::duration<double> lines_apart() {
   constexpr double usual = 10.0;
   const char* text = std::getenv(variable);
   return std::chrono::duration<double>(
-      text && *text ? option_number(variable, text, 0.1, 86400.0, words::lines_apart_range) : usual);
+      text && *text ? option_number(variable, text, 0.1, 86400.0, "a number of seconds from 0.1 to 86400") : usual);
 }
 
 ProgressLine::ProgressLine(bool quiet, RunOptions& options)
@@ -68,16 +67,16 @@ void ProgressLine::update(const Progress& progress) {
       const int full = static_cast<int>(fraction * cells);
       text += "[" + std::string(full, '#') + std::string(cells - full, '.') + "] ";
     }
-    text += fmt::format(words::fraction_done, 100.0 * fraction, done, total);
+    text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
     if (rate > 0.0)
-      text += fmt::format(words::rate_and_rest, rate, duration_text(static_cast<double>(total - done) / rate));
+      text += fmt::format("  {:.0f}/s  {} left", rate, duration_text(static_cast<double>(total - done) / rate));
   } else if (preparing) {
-    text += done > 0 ? fmt::format(words::stage_and_rate, what, done, rate) : what;
+    text += done > 0 ? fmt::format("{}  {}  {:.0f}/s", what, done, rate) : what;
   } else {
-    text += fmt::format(words::number_and_rate, done, what, rate);
+    text += fmt::format("{} {}  {:.0f}/s", done, what, rate);
   }
   if (balanced)
-    text += fmt::format(words::balanced_so_far, 100.0 * *balanced);
+    text += fmt::format("  balanced {:.2f} %", 100.0 * *balanced);
   else if (total > 0)
     text += "  " + what;
   if (style_ == Style::bar) {

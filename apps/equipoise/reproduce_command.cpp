@@ -49,9 +49,11 @@ std::vector<std::string> split(const std::vector<std::string>& what) {
 
 ReproduceOptions options_from(const ReproduceArguments& a) {
   ReproduceOptions options = options_for(a.what);
-  if (a.pixels) options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, words::pixel_range);
+  if (a.pixels)
+    options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
   if (a.starts)
-    options.starts = option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, words::paper_start_range);
+    options.starts =
+        option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, "a whole number from 1 to 1000000000");
   options.laws = option_choice<LawChoice>("--law", a.law, law_choice_names);
   if (!a.output.empty()) options.folder = a.output + "/ensembles";
   return options;
@@ -69,14 +71,14 @@ std::string command_line(const ReproduceArguments& a) {
 
 void check_paths(const ReproduceArguments& a) {
   require_ending("--report", a.report, ".html");
-  if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, words::report_only);
+  if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, "goes with --report");
   require_writable("--report", a.report);
 }
 
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError("--output", "", folder, words::not_a_folder);
+  if (error) throw InputError("--output", "", folder, "must be a folder that can be written");
 }
 
 // Every drawing of the document, named and titled by the heading that it stands under.
@@ -134,7 +136,7 @@ int run_reproduce(ReproduceArguments& a) {
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   put(a.json ? reproduction_json(r) : reproduction_text(r, text_style()));
   std::optional<WorkLeft> left = progress.left();
-  if (left && left->total > 0) left->what = words::starts;
+  if (left && left->total > 0) left->what = "starts";
   return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;
 }
 

@@ -16,7 +16,6 @@
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -28,7 +27,7 @@ struct SimulateArguments : CommonArguments {
 };
 
 double time_option(const char* option, const std::string& text, const Study& study) {
-  return option_time(option, text, study, 0.0, last_output_time, words::time_range);
+  return option_time(option, text, study, 0.0, last_output_time, "a number from 0 to 1e9");
 }
 
 // "T,T,..."
@@ -46,17 +45,19 @@ std::vector<double> parse_times(const std::string& text, const Study& study) {
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
   if (!a.at.empty()) {
     std::vector<double> times;
-    if (a.every || a.until) throw InputError("--at", "", "", words::at_or_every);
+    if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
       for (const double time : parse_times(text, study)) times.push_back(time);
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
-        throw InputError("--at", "", fmt::format("{}", times[i]), fmt::format(words::times_out_of_order, times[i - 1]));
+        throw InputError("--at", "", fmt::format("{}", times[i]),
+                         fmt::format("times out of order: must be later than {}", times[i - 1]));
     return times;
   }
   std::optional<double> until, every;
   if (a.until) until = time_option("--until", *a.until, study);
-  if (a.every) every = option_time("--every", *a.every, study, 1e-300, last_output_time, words::step_range);
+  if (a.every)
+    every = option_time("--every", *a.every, study, 1e-300, last_output_time, "a number greater than 0, at most 1e9");
   try {
     return equipoise::output_times(study, until, every);
   } catch (const InputError& e) {
@@ -67,7 +68,7 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
 // By the time reached: at constant speed all of it costs the same.
 WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& times,
                    std::chrono::steady_clock::time_point begin) {
-  WorkLeft left{trajectory.t.size(), times.size(), words::rows};
+  WorkLeft left{trajectory.t.size(), times.size(), "rows"};
   const double reached = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (reached > 0.0) left.seconds = taken * (times.back() / reached - 1.0);
@@ -78,12 +79,13 @@ int run_simulate(const SimulateArguments& a) {
   begin_time(a.within);
   std::vector<std::string> overrides = a.overrides;
   if (a.tolerance)
-    overrides.push_back(fmt::format("numerics.tolerance={}", option_number<double>("--tolerance", *a.tolerance, 1e-14,
-                                                                                   1e-2, words::tolerance_range)));
+    overrides.push_back(
+        fmt::format("numerics.tolerance={}",
+                    option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
   const Study study = at_medians(read_study(a.study, overrides));
   const std::vector<double> times = output_times(a, study);
   if (!a.output.empty() && !a.output.ends_with(".csv") && !a.output.ends_with(".nc"))
-    throw InputError("--output", "", a.output, words::ends_in_csv_or_nc);
+    throw InputError("--output", "", a.output, "must be a file name ending in .csv or .nc");
   require_writable("--output", a.output);
 
   const auto begin = std::chrono::steady_clock::now();
@@ -99,17 +101,17 @@ int run_simulate(const SimulateArguments& a) {
   }
   for (const std::string& note : {release_text(study), coincident_text(study)})
     if (!note.empty()) say(note);
-  if (study.speed.law == model::SpeedLaw::published) say(words::published_law);
+  if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
-    say(words::simulation_stopped, last);
+    say("stopped after t = {}; the rows so far are kept", last);
     return ended_early(rows_left(trajectory, times, begin), nullptr, "");
   }
   if (trajectory.status != IntegrationStatus::done) {
     if (trajectory.status == IntegrationStatus::diverged)
-      say(words::diverged, last);
+      say("the trajectory diverged after t = {}; the rows so far are kept", last);
     else
-      say(words::not_integrated, last);
+      say("the trajectory could not be integrated further after t = {}; the rows so far are kept", last);
     return failed;
   }
   return done;

@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "commands.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -93,7 +92,7 @@ int close_output(int code) {
   if (output_error == 0 && (lost || !closed)) output_error = errno != 0 ? errno : EIO;
   if (output_error == 0) return code;
   if (output_error == EPIPE) return 128 + SIGPIPE;
-  say(words::output_not_writable, std::strerror(output_error));
+  say("standard output cannot be written: {}", std::strerror(output_error));
   return failed;
 }
 

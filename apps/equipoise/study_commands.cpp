@@ -23,7 +23,6 @@
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -51,7 +50,7 @@ int run_explain(const ExplainArguments& a) {
     options.stop = &stop_flag();
     e.cost = measure_cost(study, options, a.within ? read_time_limit("--within", *a.within) : cost_patience);
   } else if (a.within) {
-    throw InputError("--within", "", display_text(*a.within), words::cost_only);
+    throw InputError("--within", "", display_text(*a.within), "goes with --cost only: nothing else takes time here");
   }
   put(a.json ? explain_json(e) : explain_text(e, text_style()));
   return stop_flag() ? interrupted : done;
@@ -70,11 +69,11 @@ int run_new(const NewArguments& a) {
   }
   std::error_code ignored;
   if (std::filesystem::exists(*a.output, ignored))
-    throw InputError("-o", "", display_text(*a.output), words::study_exists);
+    throw InputError("-o", "", display_text(*a.output), "exists; must be a new file: no study is overwritten");
   require_writable("-o", *a.output);
   write_file(*a.output, text);
-  say(words::study_written, display_text(*a.output), a.machine == "blank" ? "machine" : a.machine,
-      display_text(*a.output));
+  say("{} is a study of a {} to start from; equipoise check {} says what is understood", display_text(*a.output),
+      a.machine == "blank" ? "machine" : a.machine, display_text(*a.output));
   return done;
 }
 

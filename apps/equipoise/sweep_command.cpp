@@ -61,7 +61,7 @@ void read_shard(const std::string& text, SweepOptions& options) {
     good = read.ec == std::errc() && read.ptr == end;
   }
   if (!good || number < 1 || number > options.shards || options.shards > most_sweep_cells)
-    throw InputError("--shard", "", display_text(text), words::shard_form);
+    throw InputError("--shard", "", display_text(text), "must be I/N with I from 1 to N, e.g. 2/8");
   options.shard = number - 1;
 }
 
@@ -73,7 +73,10 @@ SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   if (a.transients) request.transients = true;
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
-  if (a.over.empty() && !own) throw InputError("--over", "", "", words::nothing_varied);
+  if (a.over.empty() && !own)
+    throw InputError("--over", "", "",
+                     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter "
+                     "and its values, e.g. speed.final=1.5:6:0.1");
   const std::string where = own ? own_sweep(study.name) : "--over";
   const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
   return SweepPlan(source, axes, request, where);
@@ -87,7 +90,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
       if (told != Clock::time_point{} && Clock::now() - told < apart) return;
       told = Clock::now();
       const Share& balanced = cell.outcomes.front().share;
-      put_error(fmt::format(words::cell_done, plan.title_of(index), cell.starts,
+      put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", plan.title_of(index), cell.starts,
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
@@ -99,7 +102,10 @@ int run_sweep(const SweepArguments& a) {
   Team team;
   const bool same = team.have_same(a.shard);
   if (!same && !team.leads()) return bad_input;
-  if (!same) throw InputError("--shard", "", a.shard, words::different_shards);
+  if (!same)
+    throw InputError("--shard", "", a.shard,
+                     "is not what the other processes of the job were given; must be the same for all, which share the "
+                     "work of that part (start processes that have a part each without mpirun)");
   SweepOptions options;
   options.output = a.output;
   options.stop = &stop_flag();
@@ -111,14 +117,17 @@ int run_sweep(const SweepArguments& a) {
     SweepPlan made = plan_of(a, source);
     if (team.leads()) check_forms(a);
     if (team.leads() && options.shards > 1 && a.output.empty())
-      throw InputError("--shard", "", a.shard, words::shard_needs_output);
+      throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
     return made;
   });
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(sweep_survey(*plan), options.threads, options.stop);
   if (const std::size_t blocks = plan->blocks(); options.shard >= blocks)
-    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, plural(blocks), SweepPlan::block_length,
-                          blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
+    put_error(
+        fmt::format("shard {} is empty: the {} cells form {} block{} of up to {} cells, and a shard computes whole "
+                    "blocks; {} all\n",
+                    a.shard, plan->cells(), blocks, plural(blocks), SweepPlan::block_length,
+                    blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
   ProgressLine progress(a.quiet, options);
   const SweepResult result = compute(team, *plan, a, options);
   progress.finish();

@@ -19,7 +19,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "post.hpp"
 #include "time_limit.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -43,7 +42,7 @@ struct Work {
 };
 
 void require_whole(const BytesIn& in) {
-  if (!in.whole()) throw RunError(words::message_cut_short);
+  if (!in.whole()) throw RunError("a message between processes was cut short");
 }
 
 Asked asked_in(BytesIn& question) {

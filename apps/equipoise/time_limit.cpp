@@ -9,11 +9,12 @@
 #include "equipoise/core/running/deadline.hpp"
 #include "streams.hpp"
 #include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
 namespace {
+
+constexpr char rest_unknown[] = "how long the rest takes is not known yet";
 
 struct Time {
   std::string given;
@@ -28,19 +29,19 @@ Time& time_given() {
 
 // "475392 of 3000000 starts are done; the rest takes about 26 s more"
 std::string left_text(const std::optional<WorkLeft>& left) {
-  if (!left) return words::rest_unknown;
-  if (left->total == 0) return fmt::format(words::was_at, left->what, words::rest_unknown);
-  const std::string done = fmt::format(words::part_done, left->done, left->total, left->what);
-  if (!left->seconds) return fmt::format("{}; {}", done, words::rest_unknown);
-  return fmt::format(words::rest_takes, done, duration_text(*left->seconds));
+  if (!left) return rest_unknown;
+  if (left->total == 0) return fmt::format("it was at \"{}\"; {}", left->what, rest_unknown);
+  const std::string done = fmt::format("{} of {} {} are done", left->done, left->total, left->what);
+  if (!left->seconds) return fmt::format("{}; {}", done, rest_unknown);
+  return fmt::format("{}; the rest takes about {} more", done, duration_text(*left->seconds));
 }
 
 std::string going_on(Keeper keeper, const std::string& output) {
   if (!output.empty() && (std::filesystem::exists(output) || std::filesystem::exists(output + ".part")))
-    return fmt::format(words::goes_on_from, output);
-  if (!output.empty()) return fmt::format(words::nothing_yet, output);
-  if (keeper) return fmt::format(words::would_go_on, keeper);
-  return words::keeps_nothing;
+    return fmt::format("the same command goes on from {}", output);
+  if (!output.empty()) return fmt::format("nothing is in {} yet", output);
+  if (keeper) return fmt::format("with {} the same command would go on from here", keeper);
+  return "this command keeps nothing between runs: give it more time";
 }
 
 }  // namespace
@@ -70,10 +71,10 @@ bool time_is_limited() { return time_given().deadline.has_value(); }
 
 int ended_early(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
   if (!time_is_limited() || !(time_given().deadline->over() || time_given().half_used)) {
-    if (keeper) say(words::stopped, going_on(keeper, output));
+    if (keeper) say("stopped; {}", going_on(keeper, output));
     return interrupted;
   }
-  say(words::time_over, time_given().given, left_text(left), going_on(keeper, output));
+  say("out of time (--within {}): {}; {}", time_given().given, left_text(left), going_on(keeper, output));
   return out_of_time;
 }
 

@@ -31,7 +31,7 @@ std::string meant(const std::string& typed, const std::vector<std::string>& name
     least = away;
     best = name;
   }
-  return best.empty() ? "" : fmt::format(words::meant, best);
+  return best.empty() ? "" : fmt::format(" (is \"{}\" meant?)", best);
 }
 
 // "N, number of starts"
@@ -55,17 +55,17 @@ std::vector<std::string> option_names(const CLI::App& app) {
 // Ignores the value in "--starts=5".
 std::string unknown_option(const CLI::App& app, const std::string& place, const std::string& typed) {
   const std::string name = typed.substr(0, typed.find('='));
-  return fmt::format(words::unknown_option, place, display_text(name), meant(name, option_names(app)),
-                     app.get_parent() ? "equipoise " + app.get_name() : "equipoise");
+  return fmt::format("{}unknown option \"{}\"{}; {} --help lists all", place, display_text(name),
+                     meant(name, option_names(app)), app.get_parent() ? "equipoise " + app.get_name() : "equipoise");
 }
 
 // The error for a missing command.
 std::string no_command(const CLI::App& app, int argc, char** argv) {
-  const std::string allowed = fmt::format(words::one_of, fmt::join(command_names(app), ", "));
-  if (argc < 2) return fmt::format(words::no_command, allowed);
+  const std::string allowed = fmt::format("must be one of: {}", fmt::join(command_names(app), ", "));
+  if (argc < 2) return fmt::format("a command is missing; {} (equipoise --help says more)", allowed);
   const std::string typed = argv[1];
   if (typed.starts_with("-")) return unknown_option(app, "", typed);
-  return fmt::format(words::unknown_command, display_text(typed), meant(typed, command_names(app)), allowed);
+  return fmt::format("unknown command \"{}\"{}; {}", display_text(typed), meant(typed, command_names(app)), allowed);
 }
 
 std::string unexpected(const CLI::App& command) {
@@ -73,24 +73,27 @@ std::string unexpected(const CLI::App& command) {
   const auto option = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
   const std::string place = command.get_name() + ": ";
   if (option != words.end() && *option != "--") return unknown_option(command, place, *option);
-  return fmt::format(words::unexpected, place, display_text(words.empty() ? "" : words.front()));
+  return fmt::format("{}unexpected \"{}\"; one study is enough, and options begin with --", place,
+                     display_text(words.empty() ? "" : words.front()));
 }
 
 // An option without its value, or given twice. CLI11 names it before a colon.
 std::string mismatch(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() > 1 && option->get_items_expected_max() <= 1 && !option->get_positional())
-      return fmt::format(words::given_twice, command.get_name(), option->get_name(), option->count(),
-                         display_text(fmt::format("{}", fmt::join(option->results(), ", "))));
+      return fmt::format("{}: {}: given {} times ({}); must be given once", command.get_name(), option->get_name(),
+                         option->count(), display_text(fmt::format("{}", fmt::join(option->results(), ", "))));
   }
   const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(':')));
-  return option ? fmt::format(words::value_missing, command.get_name(), option->get_name(), takes(*option)) : "";
+  return option ? fmt::format("{}: {}: its value is missing; it takes {}", command.get_name(), option->get_name(),
+                              takes(*option))
+                : "";
 }
 
 // A required argument that is missing: CLI11's message begins with its name.
 std::string missing(const CLI::App& command, const std::string& message) {
   const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(' ')));
-  return option ? fmt::format(words::argument_missing, command.get_name(), option->get_type_name(),
+  return option ? fmt::format("{}: {} is missing; expected {}", command.get_name(), option->get_type_name(),
                               option->get_description())
                 : "";
 }
@@ -136,7 +139,8 @@ void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_expected_min() == 0) continue;  // its value is optional
     for (const std::string& value : option->results())
-      if (value.empty()) throw InputError(name_of(*option), "", "", fmt::format(words::value_empty, takes(*option)));
+      if (value.empty())
+        throw InputError(name_of(*option), "", "", fmt::format("is empty; it takes {}", takes(*option)));
   }
 }
 
@@ -163,7 +167,8 @@ void refuse_same_files(const CLI::App& command) {
       if (value.ends_with(".nc")) continue;
       for (const auto& [other, path] : files)
         if (other != option && same_file(path, value))
-          throw InputError(name_of(*option), "", display_text(value), fmt::format(words::same_file, name_of(*other)));
+          throw InputError(name_of(*option), "", display_text(value),
+                           fmt::format("is the same file as {}; must be another one", name_of(*other)));
       files.emplace_back(option, value);
     }
   }

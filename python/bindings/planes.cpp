@@ -11,7 +11,6 @@
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::python {
 
@@ -143,7 +142,7 @@ void bind_planes(py::module_& module) {
   module.attr("balance_kinds") = std::vector<std::string>(balance_kind_names.begin(), balance_kind_names.end());
   module.def("pixel_numbers", [] {
     py::dict columns = attributes_of_all(pixel_numbers);
-    columns["outcome"] = attributes_of(Column{"outcome", words::files::outcome_of_pixel});
+    columns["outcome"] = attributes_of(Column{"outcome", "what the pixel's start comes to"});
     return columns;
   });
   module.def("point_numbers", [] { return attributes_of_all(point_numbers); });

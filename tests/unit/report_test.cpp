@@ -13,7 +13,7 @@
 #include "../support/studies.hpp"
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
@@ -205,7 +205,7 @@ TEST(NoteText, IsInTheUnitsOfTheStudy) {
   EXPECT_TRUE(holds(note_text(study, drawn), "unstable at 2000 rpm (growth rates 0.632 to 1.26 1/s)"));
   EXPECT_EQ(note_text(parse_study(constant_speed, "s.toml"), fmt::format(words::proof::unstable, 2.0 / 3.0, 0.01)),
             "the balanced state exists but is unstable at speed 0.6667 (growth rate 0.01)");
-  EXPECT_EQ(note_text(study, words::proof::needs_no_gravity), words::proof::needs_no_gravity);
+  EXPECT_EQ(note_text(study, "proofs need gravity 0"), "proofs need gravity 0");
 }
 
 TEST(BasinText, SaysWhichStartsCameThroughAndOfWhichThatIsOpen) {

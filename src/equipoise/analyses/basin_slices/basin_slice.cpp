@@ -21,7 +21,7 @@
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -45,26 +45,27 @@ void check(const BasinSlice& map) {
       throw InputError("map", axis->key, value, problem);
     };
     if (axis->pixels < 1 || axis->pixels > most_slice_pixels)
-      reject(fmt::format("{}", axis->pixels), fmt::format(words::sweeps::pixels_range, most_slice_pixels));
+      reject(fmt::format("{}", axis->pixels),
+             fmt::format("pixels; must be a whole number from 1 to {}", most_slice_pixels));
     if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
-      reject(fmt::format("{} to {}", axis->low, axis->high), words::sweeps::rising_range);
+      reject(fmt::format("{} to {}", axis->low, axis->high), "must be two finite numbers, the first below the second");
   }
   if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", words::sweeps::same_key_twice);
   for (const AngleLink& link : map.links)
     if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||
         link.ball == link.of)
       throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
-                       fmt::format(words::sweeps::tie_balls, map.study.parameters.balls));
+                       fmt::format("must name two different balls from 1 to {}", map.study.parameters.balls));
   for (std::size_t k = 0; k < map.links.size(); ++k) {
     const AngleLink& link = map.links[k];
     const auto moved = [&](const std::string& by) {
       throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
-                       fmt::format(words::sweeps::tied_already, link.ball, by));
+                       fmt::format("ball {} has its angle from {}; must be another ball", link.ball, by));
     };
     for (const SliceAxis* axis : {&map.x, &map.y})
-      if (axis->key == fmt::format("initial.phi_{}", link.ball)) moved(words::sweeps::an_axis);
+      if (axis->key == fmt::format("initial.phi_{}", link.ball)) moved("an axis");
     for (std::size_t other = 0; other < k; ++other)
-      if (map.links[other].ball == link.ball) moved(words::sweeps::another_tie);
+      if (map.links[other].ball == link.ball) moved("another tie");
   }
   for (const int column : {0, map.x.pixels - 1})
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
@@ -79,15 +80,17 @@ void check(const BasinSlice& map) {
 void check_decides(const Study& study) {
   const ClassificationMode decide = study.numerics.decide;
   if (decide != ClassificationMode::validated)
-    throw InputError(study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(decide)],
-                     words::sweeps::line_needs_validated);
+    throw InputError(
+        study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(decide)],
+        "along a parameter every pixel is followed until it is seen to approach a motion; must be \"validated\"");
 }
 
 void check_memory(const BasinSlice& map, const std::string& output) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (output.empty() && pixels > most_pixels_in_memory)
     throw InputError("map", "size", fmt::format("{}x{}", map.x.pixels, map.y.pixels),
-                     fmt::format(words::sweeps::too_many_in_memory, 1e-6 * static_cast<double>(most_pixels_in_memory)));
+                     fmt::format("pixels; more than {:.1f} million in all (4096x4096) must go to an output file",
+                                 1e-6 * static_cast<double>(most_pixels_in_memory)));
 }
 
 class MapRun {

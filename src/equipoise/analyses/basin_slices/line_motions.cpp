@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/attractors/motions/motion_bytes.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -41,7 +39,7 @@ LineMotions::LineMotions(const BasinSlice& map, bool columns, const StartRunner&
       lines_(static_cast<std::size_t>(columns ? map.x.pixels : map.y.pixels)),
       length_(static_cast<std::size_t>(columns ? map.y.pixels : map.x.pixels)),
       probes_(probes_of(length_)),
-      page_(notes, words::sweeps::line_notes),
+      page_(notes, "motions along the lines of a map"),
       groups_((lines_ + lines_together - 1) / lines_together) {
   first_note_ = page_.reserve(groups_.size());
 }
@@ -64,8 +62,8 @@ bool LineMotions::look_along(const std::vector<std::uint32_t>& positions, const 
   for (std::size_t g = 0; g < groups_.size(); ++g)
     if (asked[g] && groups_[g].empty()) open.push_back(g);
   if (open.empty()) return true;
-  StageProgress progress(words::runs::looking_for_attractors, options.progress);
-  progress.begin(words::sweeps::line_motions, open.size());
+  StageProgress progress("looking for attractors", options.progress);
+  progress.begin("motions along the lines of the map", open.size());
   in_parallel(map_.threads, open.size(), [&](std::size_t k) {
     if (is_set(options.stop)) return;
     groups_[open[k]] = page_.answer_at(

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -28,7 +27,7 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   for (const NoAttractor& n : no_attractors)
     if (n.outcome != Outcome::stalled || study.speed.driven()) {
       const bool overlap = n.outcome == Outcome::failed && study.parameters.balls_collide();
-      codes.push_back({n.code, overlap ? words::sweeps::balls_would_overlap : n.name, "", {}});
+      codes.push_back({n.code, overlap ? "balls would overlap, or failed" : n.name, "", {}});
     }
   return codes;
 }
@@ -50,7 +49,8 @@ SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const std
 // Codes may come from a file, and be anything.
 short SliceAssembly::id_of(short code) const {
   const auto found = seen_.find(code);
-  if (found == seen_.end()) throw RunError(fmt::format(words::sweeps::pixel_without_name, code));
+  if (found == seen_.end())
+    throw RunError(fmt::format("the map is damaged: a pixel has outcome {}, which it does not name", code));
   return static_cast<short>(found->second.id);
 }
 

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/read_number.hpp"
@@ -42,9 +41,10 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
   SliceAxis axis{key, 0.0, two_pi, pixels};
   if (range.empty() && axis.angle()) return axis;
   const auto unit = axis.angle() ? std::nullopt : study::unit_of(study, key);
-  const std::string allowed = fmt::format(words::sweeps::range_of_axis, axis.angle() ? "0:2pi"
-                                                                        : unit       ? words::sweeps::example_with_units
-                                                                                     : "1.5:6");
+  const std::string allowed = fmt::format("must be LOW:HIGH with two numbers, the first below the second, e.g. {}",
+                                          axis.angle() ? "0:2pi"
+                                          : unit       ? "1.5:6, or two quantities with units"
+                                                       : "1.5:6");
   const auto reject = [&](const std::string& problem) { throw InputError(option, key, display_text(range), problem); };
   const std::size_t colon = range.find(':');
   if (colon == std::string::npos || range.find(':', colon + 1) != std::string::npos) reject(allowed);
@@ -53,10 +53,12 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
     const study::GivenValue given = study::read_given(text, unit);
     if (given.problem.empty() && std::isfinite(given.value)) return given.value;
     if (!unit && !axis.angle() && is_quantity(text))
-      reject(!study.scales ? fmt::format(words::sweeps::quantities_without_scales, allowed)
-             : key == "balancer.drag"
-                 ? fmt::format(words::sweeps::key_without_quantities, key)
-                 : fmt::format(words::sweeps::key_of_dimensionless_study, key));
+      reject(
+          !study.scales ? fmt::format("the study is dimensionless, and quantities need scales; {}", allowed)
+          : key == "balancer.drag"
+              ? fmt::format("{} takes no quantities here, for the balls' masses differ; must be two plain numbers", key)
+              : fmt::format("{} takes no quantities here; must be another key, as rotor.eccentricity with millimetres",
+                            key));
     reject((unit ? given.problem + "; " : std::string()) + allowed);
     return given.value;
   };
@@ -77,7 +79,9 @@ SliceSize map_size(const std::string& text, const std::string& option) {
   }
   const auto allowed = [](int pixels) { return pixels >= 1 && pixels <= most_slice_pixels; };
   if (!good || !allowed(size.width) || !allowed(size.height))
-    throw InputError(option, "", display_text(text), fmt::format(words::sweeps::size_form, most_slice_pixels));
+    throw InputError(
+        option, "", display_text(text),
+        fmt::format("must be WIDTHxHEIGHT, each a whole number from 1 to {}, e.g. 512x512", most_slice_pixels));
   return size;
 }
 
@@ -91,7 +95,9 @@ InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis&
 
 AngleLink angle_link(const std::string& text, const std::string& option) {
   static const std::regex form(R"((?:initial\.)?phi_(\d)=(?:initial\.)?phi_(\d)([+-].+)?)");
-  const auto reject = [&] { throw InputError(option, "", display_text(text), words::sweeps::tie_form); };
+  const auto reject = [&] {
+    throw InputError(option, "", display_text(text), "must be phi_I=phi_J or phi_I=phi_J+ANGLE, e.g. phi_2=phi_1+pi");
+  };
   std::smatch m;
   if (!std::regex_match(text, m, form)) reject();
   AngleLink link{std::stoi(m[1].str()), std::stoi(m[2].str()), 0.0};

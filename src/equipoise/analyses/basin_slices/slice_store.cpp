@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -30,19 +28,19 @@ io::RowStore::Layout layout_of(const io::SliceFileHeader& header) {
 }  // namespace
 
 SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& header)
-    : RowStore(path, io::identity_of(header), {words::sweeps::this_map, words::sweeps::same_map}, layout_of(header)),
+    : RowStore(path, io::identity_of(header), {"this map", "must be a new file, or one of the same map"},
+               layout_of(header)),
       header_(header) {
   reading([this] {
     if (!results()) return;
     codes_ = io::read_outcome_kinds(*results(), "");
     std::erase_if(codes_, [](const OutcomeShare& c) { return c.id <= 0; });
-    if (finished() != pixels_of(header_)) refuse(this->path(), words::sweeps::other_size);
+    if (finished() != pixels_of(header_)) refuse(this->path(), "is damaged: it has another number of pixels");
   });
   if (says_complete()) forget();  // killed before the journal was removed
   // Name and alias, one per line.
   for (const auto& [code, text] : texts()) {
-    if (code > static_cast<std::uint64_t>(std::numeric_limits<short>::max()))
-      refuse(part(), words::files::something_else);
+    if (code > static_cast<std::uint64_t>(std::numeric_limits<short>::max())) refuse(part(), "holds something else");
     const std::size_t line = std::min(text.find('\n'), text.size());
     codes_.push_back(
         {static_cast<short>(code), text.substr(0, line), text.substr(std::min(line + 1, text.size())), {}});

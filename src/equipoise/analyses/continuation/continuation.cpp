@@ -13,7 +13,6 @@
 #include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/analyses/continuation/branch_names.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
@@ -103,7 +102,7 @@ class Continuation {
       ValueSearch there = attractors_at(line_.study_at(values_[k]), starts_, options_.warm_start_states, options_.stop);
       found_[k] = std::move(there.motions);
       commonest_[k] = std::move(there.commonest);
-      report(found_.size(), words::sweeps::values_searched);
+      report(found_.size(), "values searched");
     });
   }
 
@@ -138,7 +137,7 @@ class Continuation {
     in_parallel(threads_, 2 * origins.size(), [&](std::size_t i) {
       Origin& origin = origins[i / 2];
       (i % 2 ? origin.up : origin.down) = follow(origin, i % 2 ? 1 : -1);
-      report(total, words::sweeps::branches_followed);
+      report(total, "branches followed");
     });
     std::vector<Lead> leads;
     for (Origin& origin : origins)

@@ -15,8 +15,7 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise {
 
@@ -36,7 +35,7 @@ void ParameterLine::check_at(double value, const std::string& where) const {
   const Study there = study_at(value);
   check_offers(there, model::ResultKind::branches);
   if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
-    throw InputError(where, key_, fmt::format("{}", value), words::sweeps::nothing_turns);
+    throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
 }
 
 std::optional<double> ParameterLine::half_way(std::size_t value) const {
@@ -54,7 +53,7 @@ std::optional<double> ParameterLine::half_way(std::size_t value) const {
 void ParameterLine::parse(const std::string& text, const std::string& where) {
   const auto reject = [&](const std::string& problem) { throw InputError(where, "", text, problem); };
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) reject(words::sweeps::line_form);
+  if (equals == std::string::npos || equals == 0) reject(line_form);
   key_ = text.substr(0, equals);
   std::vector<double> parts;
   const auto unit = study::unit_of(study_, key_);
@@ -62,14 +61,15 @@ void ParameterLine::parse(const std::string& text, const std::string& where) {
     const std::size_t colon = std::min(text.find(':', at), text.size());
     const study::GivenValue part = study::read_given(text.substr(at, colon - at), unit);
     if (!part.problem.empty() || !std::isfinite(part.value))
-      reject((unit ? part.problem + "; " : std::string()) + words::sweeps::line_form);
+      reject((unit ? part.problem + "; " : std::string()) + line_form);
     parts.push_back(part.value);
     at = colon + 1;
   }
-  if (parts.size() != 3) reject(words::sweeps::line_form);
+  if (parts.size() != 3) reject(line_form);
   const std::string table = key_.substr(0, key_.find('.'));
   if ((table != "rotor" && table != "balancer" && table != "speed") || table == key_ || key_ == "balancer.balls")
-    reject(fmt::format(words::sweeps::line_key, words::sweeps::line_form));
+    reject(fmt::format("KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; {}",
+                       line_form));
   const double step = parts[2];
   if (const std::string problem = stepped_values(parts[0], parts[1], step, most_line_values, values_); !problem.empty())
     reject(problem);
@@ -99,6 +99,10 @@ double* initial_value(InitialState& start, int balls, const std::string& key) {
 }
 
 namespace {
+
+constexpr char line_form[] =
+    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
+    "quantities, e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
 // A study in physical units has become dimensionless here. Numbers that follow from several of its values do not change
 // as they would if one of those were given otherwise.
 void refuse_if_derived(const Study& study, const std::string& key) {
@@ -107,12 +111,17 @@ void refuse_if_derived(const Study& study, const std::string& key) {
   const study::KeyTable* table = study::find_keys(key.substr(0, dot));
   const std::string own = key.substr(dot + 1);
   if (table && table->find(own, true) && !table->find(own, false))
-    throw InputError(study.name, key, "", words::sweeps::data_sheet_key);
+    throw InputError(
+        study.name, key, "",
+        "is a key of data sheets; this command varies what they become, such as rotor.eccentricity, balancer.mass and "
+        "balancer.drag; \"equipoise sweep\" reads the whole study anew for each value, and takes any key");
   if (!study.parameters.tilts()) return;
   const auto is = [&](const char* name) { return key == name; };
   if (study.parameters.tilt.misalignment != 0.0 &&
       (is("rotor.tilt.transverse_inertia") || is("rotor.tilt.polar_inertia")))
-    throw InputError(study.name, key, "", words::sweeps::inertia_of_a_couple);
+    throw InputError(study.name, key, "",
+                     "here only the inertia would change and the angle of the couple unbalance stay, so that another "
+                     "couple would act; \"equipoise sweep\" reads the whole study anew for each value");
   if (!study.bearings.empty() && (is("rotor.damping") || is("rotor.stiffness")))
     throw InputError(study.name, key, "", words::machine::bearings_state_it);
 }

@@ -9,7 +9,6 @@
 
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/design/settings.hpp"
-#include "equipoise/analyses/words/design.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"

@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/design/settings.hpp"
-#include "equipoise/analyses/words/design.hpp"
-#include "equipoise/analyses/words/design_study.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/statistics/quantile.hpp"
@@ -35,9 +33,11 @@ std::string column_names() {
 std::string lack_of_energy(const Study& study, const std::vector<DesignVariable>& variables) {
   const bool spins_up =
       std::any_of(variables.begin(), variables.end(), [](const DesignVariable& v) { return v.spin_up; });
-  if (!study.speed.driven() && !study.system().smooth()) return words::design_study::work_unknown;
+  if (!study.speed.driven() && !study.system().smooth())
+    return "must be another figure: at a prescribed speed the work that collisions and dry friction take is not known "
+           "(of a motor, profile \"torque\", it is)";
   if (!knows_energy(study) || (spins_up && !(study.parameters.inertia > 0.0)))
-    return words::design_study::needs_inertia;
+    return "needs rotor.inertia, which a change of speed has to work against; must be stated in the study";
   return "";
 }
 
@@ -63,11 +63,11 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
   const auto read = read_number(q.data(), q.data() + q.size(), source.quantile);
   if (q.empty() || read.error != std::errc() || read.end != q.data() + q.size() ||
       !(source.quantile > 0.0 && source.quantile < 1.0))
-    problem = fmt::format(words::design_study::must_end_in_quantile, column);
+    problem = fmt::format("must end in a quantile between 0 and 1: \"{0}.0.5\", the median, or \"{0}.0.95\"", column);
   else if (column == "settling_time" && !study.limits.settled)
-    problem = words::design_study::needs_settled;
+    problem = "needs limits.settled; must be stated in the study";
   else if (column == "time_above" && !study.limits.displacement)
-    problem = words::design_study::needs_displacement;
+    problem = "needs limits.displacement; must be stated in the study";
   else if (column == "energy")
     problem = lack_of_energy(study, variables);
   if (!problem.empty()) return std::nullopt;
@@ -92,8 +92,9 @@ std::optional<FigureSource> limits_source(const std::string& name, const Study& 
     return study.limits.*l.limit && (source.within != Within::on_the_way || !l.at_end);
   });
   if (some || (source.within != Within::on_the_way && study.limits.settled)) return source;
-  problem = source.within == Within::on_the_way ? words::design_study::needs_limits_on_the_way
-                                                : words::design_study::needs_limits;
+  problem = source.within == Within::on_the_way
+                ? "needs limits.displacement, force or clearance; must be stated in the study"
+                : "needs [limits]; must be stated in the study";
   return std::nullopt;
 }
 
@@ -213,9 +214,9 @@ std::optional<FigureSource> figure_source(const std::string& name, const Study& 
   if (!source) {
     if (problem.empty())
       problem = fmt::format(
-          words::design_study::must_be_a_figure,
-          study.speed.driven() ? words::design_study::figures_of_a_motor : words::design_study::figures_of_a_spin_up,
-          column_names());
+          "must be balanced{}, limits_kept, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or "
+          "a key of [design.vary], with - before it if less is better",
+          study.speed.driven() ? ", passed" : ", spin_up_time, acceleration", column_names());
     return std::nullopt;
   }
   source->figure.name = name;
@@ -259,7 +260,7 @@ DesignSample sample_without_balance(const std::vector<FigureSource>& sources, st
                                     const Study& candidate, const std::vector<DesignSetting>& settings) {
   DesignSample sample;
   sample.starts = starts;
-  sample.note = words::design::no_balance_attracts;
+  sample.note = "no balanced state attracts";
   for (const FigureSource& source : sources) {
     const bool endless = source.kind == FigureKind::transient || source.kind == FigureKind::time_to_balance;
     sample.figures.push_back(certain(source.figure.share ? 0.0

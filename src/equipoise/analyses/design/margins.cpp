@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/design/settings.hpp"
-#include "equipoise/analyses/words/design.hpp"
 
 namespace equipoise {
 
@@ -220,14 +219,14 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
     const double value = sample.figures[limit.figure].value, bound = limit.below ? *limit.below : *limit.above;
     const std::string unit = figure.share ? " %" : figure.unit.empty() ? "" : " " + figure.unit;
     const double shown = figure.share ? 100.0 : 1.0;
-    const std::string has = fmt::format(words::design::is_and_must_be, figure.name, shown * value, unit,
+    const std::string has = fmt::format("{} is {:.4g}{}, must be {} {:.4g}{}", figure.name, shown * value, unit,
                                         limit.below ? "below" : "above", shown * bound, unit);
     if (standing.violation(limit, sample, Side::estimate) > 0.0)
-      words.push_back(words::design::not_met + has);
+      words.push_back("not met: " + has);
     else if (standing.violation(limit, sample, Side::worst) > 0.0)
-      words.push_back(words::design::not_surely_met + has);
+      words.push_back("not shown to be met: " + has);
     else if (std::fabs(value - bound) <= close * (figure.share ? std::min(bound, 1.0 - bound) : std::fabs(bound)))
-      words.push_back(words::design::nearly_reached + has);
+      words.push_back("nearly reached: " + has);
   }
   for (std::size_t k = 0; k < problem.variables().size(); ++k) {
     const DesignVariable& v = problem.variables()[k];
@@ -237,8 +236,9 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
     const double part =
         v.logarithmic ? std::log(value / v.low) / std::log(v.high / v.low) : (value - v.low) / (v.high - v.low);
     if (part <= at_end || part >= 1.0 - at_end)
-      words.push_back(fmt::format(words::design::at_end_of_range, v.key, part <= at_end ? "lower" : "upper", v.prefix,
-                                  value, v.unit.empty() ? "" : " " + v.unit));
+      words.push_back(fmt::format("{} is at the {} end of its range: {}{:.4g}{}", v.key,
+                                  part <= at_end ? "lower" : "upper", v.prefix, value,
+                                  v.unit.empty() ? "" : " " + v.unit));
   }
   return words;
 }

@@ -14,8 +14,7 @@
 #include "equipoise/analyses/design/variable_reader.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/words/design.hpp"
-#include "equipoise/analyses/words/design_study.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
@@ -27,6 +26,8 @@ namespace equipoise {
 
 namespace {
 
+constexpr char must_be_a_bound[] = "must be { below = NUMBER } or { above = NUMBER }";
+
 using study::StudyFile;
 using study::TableReader;
 
@@ -36,8 +37,7 @@ const StudyValue::Table& table_of(const StudyFile& file, const std::string& name
   static const StudyValue::Table none;
   const StudyValue* table = file.root.find_path(name);
   if (!table) return none;
-  if (!table->table())
-    throw InputError(file.where(name, table), name, "", fmt::format(words::design_study::must_be_a_table, name));
+  if (!table->table()) throw InputError(file.where(name, table), name, "", fmt::format("must be a table, [{}]", name));
   return *table->table();
 }
 
@@ -56,11 +56,11 @@ FigureSource read_figure(const StudyFile& file, const std::string& where, const 
 // A plain number in the figure's unit, or a quantity of the same dimension.
 double read_bound(const DesignEntry& entry, const StudyValue& written, const FigureSource& source, const Study& study) {
   const auto number = entry.number(written);
-  if (!number) entry.fail(words::design_study::must_be_a_bound);
+  if (!number) entry.fail(must_be_a_bound);
   if (number->unit == source.figure.unit) return number->value;
   if (number->unit.empty() || !source.dimension || !study.scales)
-    entry.fail(source.figure.unit.empty() ? words::design_study::must_be_plain
-                                          : fmt::format(words::design_study::must_be_in_unit, source.figure.unit));
+    entry.fail(source.figure.unit.empty() ? "must be a plain number"
+                                          : fmt::format("must be in {}, or a unit like it", source.figure.unit));
   const study::Measured si = study::measure(*written.string(), {*source.dimension});
   if (!si.problem.empty()) entry.fail(si.problem);
   return si.value / study::scale_of(*source.dimension, *study.scales) / unit_in_study(study, source.dimension);
@@ -68,24 +68,29 @@ double read_bound(const DesignEntry& entry, const StudyValue& written, const Fig
 
 DesignLimit read_limit(const DesignEntry& entry, const FigureSource& source, const Study& study) {
   DesignLimit limit;
-  if (!entry.value().table()) entry.fail(words::design_study::must_be_a_bound);
+  if (!entry.value().table()) entry.fail(must_be_a_bound);
   entry.allow_only({"below", "above"});
   if (const StudyValue* below = entry.value().find("below")) limit.below = read_bound(entry, *below, source, study);
   if (const StudyValue* above = entry.value().find("above")) limit.above = read_bound(entry, *above, source, study);
-  if (!limit.below && !limit.above) entry.fail(words::design_study::must_be_a_bound);
-  if (limit.below && limit.above && !(*limit.above < *limit.below)) entry.fail(words::design_study::met_by_nothing);
+  if (!limit.below && !limit.above) entry.fail(must_be_a_bound);
+  if (limit.below && limit.above && !(*limit.above < *limit.below))
+    entry.fail("cannot be met; above must be less than below");
   if (source.figure.share && ((limit.above && *limit.above >= 1.0) || (limit.below && *limit.below <= 0.0)))
-    entry.fail(words::design_study::met_by_no_share);
+    entry.fail("cannot be met by a share; must be between 0 and 1");
   return limit;
 }
 
 DesignMethod chosen_method(TableReader& table, std::size_t objectives) {
   DesignMethod method = table.choice("method", design_method_names, std::optional(DesignMethod::automatic));
   if (method == DesignMethod::automatic) method = objectives > 1 ? DesignMethod::nsga2 : DesignMethod::cmaes;
-  if (method == DesignMethod::cmaes && objectives > 1) table.fail("method", words::design_study::method_for_one);
-  if (method == DesignMethod::nsga2 && objectives == 1) table.fail("method", words::design_study::method_for_several);
+  if (method == DesignMethod::cmaes && objectives > 1)
+    table.fail("method", "has one objective; must be nsga2 for several");
+  if (method == DesignMethod::nsga2 && objectives == 1)
+    table.fail("method", "wants several objectives; must be cmaes for one");
   const bool of_pagmo = method == DesignMethod::cmaes || method == DesignMethod::nsga2;
-  if (of_pagmo && !optimisers_built_in()) table.fail("method", words::design_study::needs_pagmo);
+  if (of_pagmo && !optimisers_built_in())
+    table.fail("method",
+               "needs pagmo2 (libpagmo-dev), without which this program was built; must be random, latin or grid");
   return method;
 }
 
@@ -131,7 +136,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
     const DesignEntry entry(file, "design.vary", key, value);
     for (const DesignVariable& v : variables_)
       if (takes_the_place(v.key, key) || takes_the_place(key, v.key))
-        entry.fail(fmt::format(words::design_study::set_by_another, v.key));
+        entry.fail(fmt::format("cannot be varied beside {}, which sets it too", v.key));
     variables_.push_back(read_variable(entry, study_));
   }
   for (const DesignVariable& v : variables_) dimensions_ += coordinates_of(v);
@@ -139,16 +144,19 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   table.has("vary");
   table.has("require");
   if (variables_.empty() || dimensions_ > most_design_variables)
-    table.fail("vary", fmt::format(words::design_study::too_many_numbers, dimensions_, most_design_variables));
+    table.fail("vary",
+               fmt::format("has {} numbers to choose; must be 1 to {} (a spin-up counts as two per point and one more)",
+                           dimensions_, most_design_variables));
   for (const std::string& name : table.texts("objective")) {
     figures_.push_back(
         read_figure(file, "design.objective", file.root.find_path("design.objective"), name, study_, variables_));
     objectives_.push_back(figures_.size() - 1);
     for (std::size_t k = 0; k + 1 < figures_.size(); ++k)
-      if (figures_[k].figure.name == name) table.fail("objective", fmt::format(words::design_study::names_twice, name));
+      if (figures_[k].figure.name == name) table.fail("objective", fmt::format("names {} twice", name));
   }
   if (objectives_.empty() || objectives_.size() > most_design_objectives)
-    table.fail("objective", fmt::format(words::design_study::must_be_figures, most_design_objectives));
+    table.fail("objective",
+               fmt::format("must be an array of 1 to {} figures, such as [\"balanced\"]", most_design_objectives));
   for (const auto& [key, value] : table_of(file, "design.require")) {
     const DesignEntry entry(file, "design.require", key, value);
     const auto known = std::find_if(figures_.begin(), figures_.end(),
@@ -165,7 +173,9 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   first_look_ = static_cast<std::uint64_t>(table.integer("starts", 50, 1'000'000, usual_first_look));
   seed_ = static_cast<std::uint64_t>(table.integer("seed", 0, 1'000'000'000, 1));
   if (trajectories_ < 20 * first_look_)
-    table.fail("trajectories", fmt::format(words::design_study::budget_too_small, 20 * first_look_, first_look_));
+    table.fail("trajectories",
+               fmt::format("is too small a budget; must be at least {}, twenty first looks at {} starts",
+                           20 * first_look_, first_look_));
   table.finish();
   tree_ = file.root;
   tree_.erase("design");

@@ -11,7 +11,6 @@
 #include "equipoise/analyses/design/problem.hpp"
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/design/settings.hpp"
-#include "equipoise/analyses/words/design_study.hpp"
 #include "equipoise/classification/attractor_search/search.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
@@ -47,17 +46,21 @@ class Proposal {
     size();
     drag();
     latch();
-    if (vary_.empty()) throw InputError(name_, "design", "", words::design_study::nothing_to_choose);
+    if (vary_.empty())
+      throw InputError(name_, "design", "",
+                       "missing, and this study states no number, size or drag of equal balls that could be chosen; "
+                       "must be a table that says what may be varied and what is wanted");
     const double share = std::min(study_.limits.share.value_or(usual_share), greatest_share);
     const int starts = 100 * static_cast<int>(std::ceil(fewest_that_prove / (1.0 - share) / 100.0));
     const int budget = std::max(20 * starts, dear_                               ? dear_budget
                                              : study_.parameters.balls_collide() ? contact_budget
                                                                                  : plain_budget);
-    std::string text = fmt::format(words::design_study::toml_of_search, share, starts, budget);
-    if (!optimisers_built_in()) text += words::design_study::toml_of_latin;
+    std::string text = fmt::format("\n[design]\nobjective = [\"peak_radial.{:.6g}\"]\nstarts = {}\ntrajectories = {}\n",
+                                   share, starts, budget);
+    if (!optimisers_built_in()) text += "method = \"latin\"\n";
     text += "\n[design.vary]\n" + vary_ + "\n[design.require]\n";
-    text += fmt::format(words::design_study::toml_of_balanced, share);
-    if (study_.limits.any()) text += fmt::format(words::design_study::toml_of_limits, share);
+    text += fmt::format("balanced = {{ above = {:.6g} }}\n", share);
+    if (study_.limits.any()) text += fmt::format("limits_kept = {{ above = {:.6g} }}\n", share);
     return text;
   }
 
@@ -108,7 +111,7 @@ class Proposal {
         sizes.push_back(d);
     const bool beyond = mm > model::stock_ball_diameters.back();  // larger ones are made to order
     if (sizes.size() > 1 && !beyond)
-      add("balancer.ball_diameter", fmt::format(words::design_study::toml_of_sizes, sizes.front(), sizes.back()));
+      add("balancer.ball_diameter", fmt::format("{{ stock = [\"{} mm\", \"{} mm\"] }}", sizes.front(), sizes.back()));
     if (beyond) whole_mm(mm);
   }
 
@@ -118,7 +121,9 @@ class Proposal {
     if (!fits(low)) return;
     while ((low - 1.0) * around_size >= mm && fits(low - 1.0)) --low;
     while (high + 1.0 <= around_size * mm && fits(high + 1.0)) ++high;
-    if (low < high) add("balancer.ball_diameter", fmt::format(words::design_study::toml_of_whole_mm, low, high));
+    if (low < high)
+      add("balancer.ball_diameter",
+          fmt::format("{{ range = [\"{:.0f} mm\", \"{:.0f} mm\"], step = \"1 mm\" }}", low, high));
   }
 
   void drag() {
@@ -131,7 +136,8 @@ class Proposal {
       if (middle >= 10.0 && middle <= 460.0 && valid("balancer.oil.grade", fmt::format("ISO VG {:.0f}", middle)))
         classes.push_back(middle);
     if (classes.size() > 1)
-      add("balancer.oil.grade", fmt::format(words::design_study::toml_of_oils, classes.front(), classes.back()));
+      add("balancer.oil.grade",
+          fmt::format("{{ stock = [\"ISO VG {:.0f}\", \"ISO VG {:.0f}\"] }}", classes.front(), classes.back()));
   }
 
   // A latch is one that holds the balls for some time.
@@ -156,7 +162,7 @@ class Proposal {
     };
     const auto low = end(-1.0), high = end(1.0);
     if (!low || !high || !(number_of(*low) < number_of(*high))) return false;
-    add(key, fmt::format(words::design_study::toml_of_range, text_of(*low), text_of(*high)));
+    add(key, fmt::format("{{ range = [{}, {}], scale = \"log\", digits = 2 }}", text_of(*low), text_of(*high)));
     return true;
   }
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/random.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 
@@ -15,7 +15,7 @@ namespace equipoise {
 
 /// Thrown by a judge that wants no more points.
 struct SearchOver final : std::exception {
-  const char* what() const noexcept override { return words::design::search_is_over; }
+  const char* what() const noexcept override { return "the search is over"; }
 };
 
 /// A point of the cube, each coordinate from 0 to 1, and its worth: one number per objective, less is better.

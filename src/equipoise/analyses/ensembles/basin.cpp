@@ -33,10 +33,9 @@
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -148,7 +147,9 @@ class BasinRun {
     study.sampling.method = method;
     const bool open_ended = options_.half_width > 0.0 && !options_.limit_given;
     if (options_.half_width > 0.0 && method == SamplingMethod::grid)
-      throw InputError(study.name, "sampling.method", "grid", words::runs::grid_has_its_size);
+      throw InputError(
+          study.name, "sampling.method", "grid",
+          "sampling until a half-width needs \"random\" or \"sobol\": a grid is as large as `starts` says");
     sampler_.emplace(sampler_of(study));
     limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
     runner_.reset();

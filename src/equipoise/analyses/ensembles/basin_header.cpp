@@ -8,7 +8,6 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,6 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -25,12 +24,12 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
 void take_given_starts(const BasinOptions& options, Study& study) {
   check_takes_starts(study);
   if (options.half_width > 0.0)
-    throw InputError(words::runs::given_starts, "half_width", fmt::format("{}", options.half_width),
-                     words::runs::all_are_followed);
+    throw InputError("starts of one's own", "half_width", fmt::format("{}", options.half_width),
+                     "all of them are followed; must be 0");
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   if (method != SamplingMethod::random)
     throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
-                     words::runs::not_drawn_here);
+                     "says how starts are drawn, which are given here; must be left out, or \"random\"");
   check_given_starts(study, options.initial);
   study.sampling.method = method;
   study.sampling.starts = options.initial.size();
@@ -60,7 +59,7 @@ std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions
                                        .few_starts = few_starts};
   const bool searches = study.uncertain.empty();
   if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
-    throw RunError(words::runs::stopped_before_attractors);
+    throw RunError("stopped before the attractors were known");
   return std::make_unique<StartRunner>(
       study, AttractorSearchSettings{.threads = threads, .cache = &found, .few_starts = few_starts}, transients);
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/percent_text.hpp"
-#include "equipoise/simulation/words/runs.hpp"
+#include "equipoise/simulation/rule/words.hpp"
 
 namespace equipoise {
 
@@ -16,12 +16,18 @@ void note_chaos(BasinResult& result, const EscapeRate& chaos) {
   const std::string unit = result.study.scales ? " s" : "";
   const char* per = result.study.scales ? words::runs::second : words::runs::unit_of_time;
   const std::string rate =
-      chaos.escapes == 0 ? fmt::format(words::runs::leaves_below, chaos.high / time, per, chaos.least * time, unit)
-                         : fmt::format(words::runs::leaves_at, chaos.rate / time, chaos.low / time, chaos.high / time,
-                                       per, chaos.median * time, chaos.least * time, chaos.most * time, unit);
-  result.note += (result.note.empty() ? "" : "; ") + fmt::format(words::runs::chaos_may_end, chaos.trajectories,
-                                                                 time_words(result.study, chaos.watched_from, 2),
-                                                                 chaos.escapes, rate);
+      chaos.escapes == 0
+          ? fmt::format("a rate below {:.2g} per {} and its median lifetime is above {:.2g}{}", chaos.high / time, per,
+                        chaos.least * time, unit)
+          : fmt::format(
+                "a rate of {:.2g} ({:.2g} to {:.2g}) per {} and its median lifetime is {:.2g} ({:.2g} to {:.2g}){}",
+                chaos.rate / time, chaos.low / time, chaos.high / time, per, chaos.median * time, chaos.least * time,
+                chaos.most * time, unit);
+  result.note += (result.note.empty() ? "" : "; ") +
+                 fmt::format(
+                     "long-lived chaos may end: of the {} starts that were in it, or on a slow approach, after {}, {} "
+                     "came to something else later, so they leave it at {}",
+                     chaos.trajectories, time_words(result.study, chaos.watched_from, 2), chaos.escapes, rate);
 }
 
 void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt& undecided, const LookAt& stalled) {
@@ -31,10 +37,9 @@ void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt&
   const bool may_hold = result.study.speed.driven() && result.study.release.speed;
   const std::vector<UndecidedEnd> ends = many || may_hold ? undecided() : std::vector<UndecidedEnd>{};
   const std::string clamped = clamped_text(ends), clamped_stalled = may_hold ? clamped_text(stalled()) : "";
-  if (many)
-    add(fmt::format(words::runs::many_undecided, percent_text(share), why_undecided(result.study, horizon, ends)));
-  if (!many && !clamped.empty()) add(fmt::format(words::runs::undecided_clamped, clamped));
-  if (!clamped_stalled.empty()) add(fmt::format(words::runs::stalled_clamped, clamped_stalled));
+  if (many) add(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result.study, horizon, ends)));
+  if (!many && !clamped.empty()) add(fmt::format("balls of undecided starts are never let go: {}", clamped));
+  if (!clamped_stalled.empty()) add(fmt::format("balls of stalled starts are never let go: {}", clamped_stalled));
 }
 
 }  // namespace equipoise

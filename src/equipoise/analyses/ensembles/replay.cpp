@@ -10,7 +10,6 @@
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -19,8 +18,8 @@ namespace {
 void check_given(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
   check_takes_starts(study);
   if (index >= given.size())
-    throw InputError(words::runs::given_starts, "index", fmt::format("{}", index),
-                     fmt::format(words::runs::given_start_index, given.size()));
+    throw InputError("starts of one's own", "index", fmt::format("{}", index),
+                     fmt::format("must be below {}, their number", given.size()));
   check_given_starts(study, {&given[index], 1});
 }
 
@@ -36,7 +35,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   StartRunner runner(study, search_settings(options, options.searches), gathers);
   Decided one;
   if (runner.stopped() || !(given ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
-    throw RunError(words::runs::stopped_before_start);
+    throw RunError("stopped before the start was decided");
   runner.settle(one);
   replay.fate = one.fates.front();
   if (gathers) replay.transients = one.transients.front();

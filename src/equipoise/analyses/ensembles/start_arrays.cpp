@@ -8,7 +8,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -49,7 +48,7 @@ InitialState start_of(const Study& study, std::uint64_t index) {
   const Sampler sampler = sampler_of(study);
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
-                     fmt::format(words::runs::grid_start_index, sampler.grid()->starts()));
+                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
   return drawn_start_of(study, sampler, study.sampling.seed, index);
 }
 

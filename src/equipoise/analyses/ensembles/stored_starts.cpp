@@ -6,7 +6,6 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -33,7 +32,9 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
     for (std::size_t i = 0; i < each; ++i)
       if (!same(fates[i], chunk.fates[i]))
         throw InputError(path, "", "",
-                         fmt::format(words::runs::other_results, first + i, fmt::join(targets, ", "), target));
+                         fmt::format("start {}, computed with {}, has another result in this program with {}; must be "
+                                     "a new file, or one that this program and instruction set made",
+                                     first + i, fmt::join(targets, ", "), target));
   }
 }
 

@@ -21,7 +21,6 @@
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -140,12 +139,12 @@ namespace {
 void refuse_starts(const Study& study, const BasinOptions& options) {
   const auto refuse = [&](const char* what) {
     throw InputError(study.name, "balancer.balls", "0",
-                     fmt::format(words::runs::no_starts_without_balls, what, model::max_balls));
+                     fmt::format("leaves no starts for {}; must be 1 to {} with that", what, model::max_balls));
   };
-  if (!options.output.empty()) refuse(words::runs::an_output_file);
-  if (!options.initial.empty()) refuse(words::runs::given_starts);
-  if (options.half_width > 0.0) refuse(words::runs::a_half_width);
-  if (study.sampling.method == SamplingMethod::grid) refuse(words::runs::the_grid_method);
+  if (!options.output.empty()) refuse("an output file");
+  if (!options.initial.empty()) refuse("starts of one's own");
+  if (options.half_width > 0.0) refuse("a half-width");
+  if (study.sampling.method == SamplingMethod::grid) refuse("sampling.method = \"grid\"");
 }
 }  // namespace
 
@@ -160,7 +159,7 @@ BasinResult bare_basin(const Study& study, const BasinOptions& options) {
   const Sampler sampler = sampler_of(result.study);
   result.threads = thread_count(options.threads);
   result.cpu_target = cpu_target();
-  result.note = words::runs::without_balls;
+  result.note = "there are no balls";
   if (options.keep_starts) result.every_start.emplace();
   const OneBodyTask task{result.study, sampler, 0, {}, result.threads, options.stop};
   const bool differ = rotors_differ(task);

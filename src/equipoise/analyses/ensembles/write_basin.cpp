@@ -15,7 +15,6 @@
 #include "equipoise/results/result_files/basin_netcdf.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -43,7 +42,7 @@ std::vector<Fate> fates_of(const StartArrays& a) {
   for (std::size_t i = 0; i < fates.size(); ++i) {
     if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fates[i]))
       throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
-                       words::runs::not_an_outcome);
+                       "must be an outcome that basin() returned");
     if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
     if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
     if (!a.balls_met.empty()) fates[i].met = a.balls_met[i] != 0;
@@ -67,7 +66,7 @@ void check_whole(const BasinResult& result) {
   const std::uint64_t kept = result.every_start ? result.every_start->starts : 0;
   if (result.starts == 0 || kept != result.starts)
     throw InputError("basin file", "every_start", fmt::format("{}", kept),
-                     fmt::format(words::runs::not_all_starts, result.starts));
+                     fmt::format("of {} starts; must be all (keep_starts), and one or more", result.starts));
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -25,10 +24,9 @@ void check_angles(const Study& study, const std::vector<double>& phi) {
   const auto balls = static_cast<std::size_t>(study.parameters.balls);
   if (phi.size() % balls != 0)
     throw InputError("ball angles", "", fmt::format("{} numbers", phi.size()),
-                     fmt::format(words::runs::angles_a_start, balls));
+                     fmt::format("must be {} a start", balls));
   for (const double angle : phi)
-    if (!std::isfinite(angle))
-      throw InputError("ball angles", "", fmt::format("{}", angle), words::runs::finite_numbers);
+    if (!std::isfinite(angle)) throw InputError("ball angles", "", fmt::format("{}", angle), "must be finite numbers");
 }
 
 }  // namespace
@@ -47,9 +45,9 @@ Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
   const Sampler sampler = sampler_of(study_);
   if (sampler.grid() && (first > sampler.grid()->starts() || count > sampler.grid()->starts() - first))
     throw InputError(study_.name, "start index", fmt::format("{}", first + count),
-                     fmt::format(words::runs::grid_start_count, sampler.grid()->starts()));
+                     fmt::format("must be at most {}, the starts of this grid", sampler.grid()->starts()));
   Ended ended;
-  if (!runner_->run(first, count, ended)) throw RunError(words::runs::stopped_before_starts);
+  if (!runner_->run(first, count, ended)) throw RunError("stopped before the starts were decided");
   runner_->settle(ended);
   return ended;
 }

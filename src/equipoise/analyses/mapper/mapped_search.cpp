@@ -7,7 +7,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -15,11 +14,16 @@ AttractorSearchCache mapped_search(const Mapper& mapper, const Study& study, con
   const auto reject = [&](const std::string& problem) {
     throw InputError("attractors", "", display_text(mapper.study().name), problem);
   };
-  if (!study.uncertain.empty()) reject(words::runs::map_of_one_rotor);
-  if (study.system().coasts()) reject(words::runs::map_not_searched);
+  if (!study.uncertain.empty())
+    reject("was made for one rotor, and this study draws a rotor for every start; must be left out");
+  if (study.system().coasts()) reject("starts of a rotor that coasts are followed without a search; must be left out");
   const std::string there = attractor_search_subject(mapper.study()), here = attractor_search_subject(study);
-  if (there != here) reject(fmt::format(words::runs::map_of_another_search, io::difference(there, here)));
-  if (mapper.target() != target) reject(fmt::format(words::runs::map_of_another_cpu, mapper.target(), target));
+  if (there != here)
+    reject(fmt::format("of another search: {}; must be a mapper of the same rotor, final speed and [numerics]",
+                       io::difference(there, here)));
+  if (mapper.target() != target)
+    reject(fmt::format("searched with {}, and starts are followed with {}; must be the same cpu", mapper.target(),
+                       target));
   return mapper.search();
 }
 

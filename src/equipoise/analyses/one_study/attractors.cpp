@@ -7,7 +7,6 @@
 
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -20,7 +19,7 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   search.transients = options.transients.value_or(false);  // [limits] do not affect the motions
   if (options.progress)
     search.progress = [&](Progress p) {
-      if (!p.preparing) p.what = words::runs::starts_searched;
+      if (!p.preparing) p.what = "starts searched";
       p.balanced.reset();
       options.progress(p);
     };

@@ -17,7 +17,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
@@ -27,22 +26,23 @@ namespace {
 std::string why_not_common(const BasinOutcomes& first, const BasinOutcomes& second) {
   const Study &a = first.study, &b = second.study;
   const auto method = [](const Study& s) { return s.sampling.method.value_or(SamplingMethod::random); };
-  if (a.parameters.balls != b.parameters.balls) return words::runs::different_balls;
-  if (first.own_starts != second.own_starts) return words::runs::different_starts;
-  if (a.sampling.seed != b.sampling.seed) return words::runs::different_seeds;
-  if (method(a) != method(b)) return words::runs::different_methods;
-  if (a.parameters.contact_angle != b.parameters.contact_angle) return words::runs::different_room;
+  if (a.parameters.balls != b.parameters.balls) return "they have different numbers of balls";
+  if (first.own_starts != second.own_starts) return "they were not given the same starts";
+  if (a.sampling.seed != b.sampling.seed) return "their seeds differ";
+  if (method(a) != method(b)) return "their sampling methods differ";
+  if (a.parameters.contact_angle != b.parameters.contact_angle) return "their contact angles differ";
   for (const BoxSide& side : box_sides) {
     const auto &left = a.sampling.box.*side.side, &right = b.sampling.box.*side.side;
     if (left.has_value() != right.has_value() || (left && (left->low != right->low || left->high != right->high)))
-      return words::runs::different_boxes;
+      return "their sampling boxes differ";
   }
   return "";
 }
 
 void refuse_grid(const Study& study) {
   if (study.sampling.method == SamplingMethod::grid)
-    throw InputError(study.name, "sampling.method", "grid", words::runs::grid_has_weights);
+    throw InputError(study.name, "sampling.method", "grid",
+                     "starts on a grid have weights; comparisons need \"random\" or \"sobol\"");
 }
 
 // The outcomes of both studies as one list: motions of the first, those of the second alone, then outcomes without a

@@ -17,7 +17,6 @@
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 #include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
@@ -31,11 +30,10 @@ void check_settings(const Study& study, const ObservationSettings& s) {
   const auto reject = [&](const char* key, double value, const char* problem) {
     throw InputError(study.name, key, fmt::format("{}", value), problem);
   };
-  if (s.starts == 0) reject("observation starts", 0.0, words::runs::one_or_more);
-  if (!(s.window > 0.0) || !std::isfinite(s.window))
-    reject("observation window", s.window, words::runs::finite_above_zero);
+  if (s.starts == 0) reject("observation starts", 0.0, "must be 1 or more");
+  if (!(s.window > 0.0) || !std::isfinite(s.window)) reject("observation window", s.window, "must be finite, above 0");
   if (!(s.until >= s.window) || !std::isfinite(s.until))
-    reject("observation end", s.until, words::runs::room_for_a_window);
+    reject("observation end", s.until, "must be finite and leave room for one window");
 }
 
 class Observer {

@@ -14,7 +14,6 @@
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -83,7 +82,7 @@ class PickFreeze {
       if (i % (keys_ + 2) < 2) balanced_ += balanced;
       result_.undecided += fate.outcome == Outcome::undecided;
     }
-    if (options_.progress) options_.progress({rows_.rows(), options_.rows, words::runs::sensitivity_rows, {}});
+    if (options_.progress) options_.progress({rows_.rows(), options_.rows, "rows of the sensitivity", {}});
   }
 
   void name_indices(const Study& study) {
@@ -108,7 +107,10 @@ class PickFreeze {
 }  // namespace
 
 void check_sensitivity(const Study& study) {
-  if (study.uncertain.empty()) throw InputError(study.name, "", "", words::runs::no_uncertain_value);
+  if (study.uncertain.empty())
+    throw InputError(study.name, "", "",
+                     "has no uncertain value; the sensitivity is that to values such as rotor.eccentricity = { uniform "
+                     "= [0.005, 0.015] }");
   check_runnable(study, false);
 }
 

@@ -20,7 +20,6 @@
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/analyses/sweeps/sweep_cell.hpp"
 #include "equipoise/analyses/sweeps/varied_unbalance.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
@@ -62,7 +61,7 @@ Share asked_share(const BasinResult& result, const std::string& by) {
   if (by == "limits") return all.kept().value();
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
     if (by == transient_limits[k].name && all.exceeded[k]) return complement(*all.exceeded[k]);
-  throw std::logic_error(words::sweeps::no_such_limit);
+  throw std::logic_error("no such limit");
 }
 
 // One cell's trials, each search beginning with what the nearest earlier one found. Those that are known are taken when
@@ -303,7 +302,7 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
   const std::string& stated = source.states(unbalance) ? unbalance : eccentricity;
   if (text.empty()) return stated;
   if ((text == unbalance || text == eccentricity) && text != stated)
-    throw InputError(option, "", text, fmt::format(words::sweeps::states_another_key, stated));
+    throw InputError(option, "", text, fmt::format("the study states {0}; must be {0}, or another key", stated));
   return text;
 }
 
@@ -334,9 +333,15 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
                              const std::string& option) {
   if (text.empty()) {
     if (const auto usual = usual_range(plan, key)) return *usual;
-    throw InputError(option, key, "", words::sweeps::range_missing);
+    throw InputError(option, key, "",
+                     "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
+                     "in physical units, have a default range)");
   }
-  const auto reject = [&] { throw InputError(option, key, display_text(text), words::sweeps::range_form); };
+  const auto reject = [&] {
+    throw InputError(option, key, display_text(text),
+                     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
+                     "0.001:0.1 or \"20 g mm:400 g mm\"");
+  };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
   const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
@@ -366,14 +371,14 @@ CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
     throw InputError("capacity", what, value, problem);
   };
   if (!(options.from < options.to))
-    reject("range", fmt::format("{} to {}", options.from, options.to), words::sweeps::must_rise);
+    reject("range", fmt::format("{} to {}", options.from, options.to), "must have its lower end first");
   if (!(options.at_least > 0.0 && options.at_least < 1.0))
-    reject("at_least", fmt::format("{}", options.at_least), words::sweeps::share_range);
+    reject("at_least", fmt::format("{}", options.at_least), "must be between 0 and 1");
   if (!(options.precision >= 1e-4 && options.precision <= 0.1))
-    reject("precision", fmt::format("{}", options.precision), words::sweeps::precision_range);
+    reject("precision", fmt::format("{}", options.precision), "must be from 0.0001 to 0.1");
   const std::vector<std::string> goals = capacity_goals(plan.study());
   if (std::find(goals.begin(), goals.end(), options.by) == goals.end())
-    reject("by", options.by, fmt::format(words::sweeps::one_of, fmt::join(goals, ", ")));
+    reject("by", options.by, fmt::format("must be one of: {}", fmt::join(goals, ", ")));
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
 }

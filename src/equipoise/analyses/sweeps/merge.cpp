@@ -8,7 +8,6 @@
 
 #include "equipoise/analyses/sweeps/attractor_labels.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
@@ -27,7 +26,7 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   const io::IdentityLines lines(identity);
   const std::vector<std::string> over = lines.over();
   const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
-  if (over.empty() || axes == 0) throw InputError(path, "", "", words::sweeps::no_sweep_named);
+  if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
   result.half_width = number_in(lines.value("sweep.half_width"));
   result.transients = lines.value("transients") != "none";
   result.study = parse_kept_study(lines.study, path);
@@ -42,7 +41,8 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
 
 void require_cell(const SweepResult& sweep, std::size_t cell, const std::string& path) {
   if (cell >= sweep.cells.size())
-    throw InputError(path, "", "", fmt::format(words::sweeps::cell_beyond, cell, sweep.cells.size()));
+    throw InputError(path, "", "",
+                     fmt::format("is damaged: it holds a cell {} of a sweep of {} cells", cell, sweep.cells.size()));
 }
 
 }  // namespace
@@ -60,14 +60,14 @@ SweepResult stored_sweep(const std::string& path) {
 }
 
 SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output) {
-  if (files.empty()) throw InputError("merge", "", "", words::sweeps::no_files);
+  if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
   const std::string identity = read_sweep(files.front()).identity;
   SweepResult result = asked_for(identity, files.front());
   const auto into = io::open_sweep_file(output, identity, result.cells);
   for (const std::string& path : files) {
     const StoredSweep part = read_sweep(path);
     if (const std::string how = io::difference(part.identity, identity); !how.empty())
-      throw InputError(path, "", "", fmt::format(words::sweeps::another_sweep, files.front(), how));
+      throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
     for (const auto& [k, cell] : part.cells) {
       require_cell(result, k, path);
       if (result.cells[k]) continue;

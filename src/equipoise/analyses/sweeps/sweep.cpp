@@ -13,7 +13,6 @@
 #include "equipoise/analyses/sweeps/attractor_labels.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/analyses/sweeps/sweep_cell.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/reporting.hpp"
@@ -105,7 +104,7 @@ class SweepRun final : public SurveyRun {
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options) {
   if (options.shards < 1 || options.shard >= options.shards)
     throw InputError("sweep", "shard", fmt::format("{} of {}", options.shard, options.shards),
-                     words::sweeps::shard_range);
+                     "must be less than the number of shards");
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const SweepOptions& o) { return SweepRun(plan, o).run(); });
 }

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/plural.hpp"
@@ -16,6 +15,10 @@
 namespace equipoise {
 
 namespace {
+
+constexpr char axis_form[] =
+    "must be KEY=FROM:TO:STEP or KEY=A,B,C in numbers, e.g. speed.final=1.5:6:0.1, or in quantities of one unit, e.g. "
+    "\"speed.final=900 rpm:4000 rpm:100 rpm\"";
 
 struct Token {
   double value = 0.0;
@@ -55,7 +58,7 @@ bool has_repeats(std::vector<double> values) {
 SweepParameter sweep_parameter(const std::string& text, const std::string& option) {
   const auto reject = [&](const std::string& problem) { throw InputError(option, "", display_text(text), problem); };
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) reject(words::sweeps::axis_form);
+  if (equals == std::string::npos || equals == 0) reject(axis_form);
   SweepParameter parameter;
   parameter.key = trimmed(text.substr(0, equals));
   const std::string list = text.substr(equals + 1);
@@ -63,13 +66,14 @@ SweepParameter sweep_parameter(const std::string& text, const std::string& optio
   std::vector<double> numbers;
   for (const std::string& part : parts_of(list, range ? ':' : ',')) {
     Token token;
-    if (!read_token(part, token)) reject(words::sweeps::axis_form);
+    if (!read_token(part, token)) reject(axis_form);
     if (numbers.empty()) parameter.unit = token.unit;
-    if (token.unit != parameter.unit) reject(fmt::format(words::sweeps::mixed_units, parameter.unit, token.unit));
+    if (token.unit != parameter.unit)
+      reject(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", parameter.unit, token.unit));
     numbers.push_back(token.value);
   }
   if (range) {
-    if (numbers.size() != 3) reject(words::sweeps::axis_form);
+    if (numbers.size() != 3) reject(axis_form);
     const std::string problem = stepped_values(numbers[0], numbers[1], numbers[2], most_sweep_cells, parameter.values);
     if (!problem.empty()) reject(problem);
   } else {
@@ -90,25 +94,29 @@ std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zi
     const auto reject = [&](const std::string& problem) {
       throw InputError(option, parameter.key, display_text(text.substr(text.find('=') + 1)), problem);
     };
-    if (std::find(keys.begin(), keys.end(), parameter.key) != keys.end()) reject(words::sweeps::varied_twice);
+    if (std::find(keys.begin(), keys.end(), parameter.key) != keys.end()) reject("is varied twice; must be named once");
     keys.push_back(parameter.key);
     const std::size_t size = parameter.values.size();
     const bool along_another = zip && !axes.empty();
     if (!along_another && has_repeats(parameter.values))
-      reject(zip ? words::sweeps::repeats_on_zipped_axis : words::sweeps::repeats);
+      reject(zip ? "has a value twice; the first of parameters that vary together is the axis, and must have different "
+                   "ones"
+                 : "has a value twice; must be different ones");
     if (along_another) {
       if (axes.front().size() != size)
-        reject(fmt::format(words::sweeps::zipped_sizes, size, plural(size), keys.front(), axes.front().size()));
+        reject(fmt::format("has {} value{}, {} has {}; zipped parameters must have as many each", size, plural(size),
+                           keys.front(), axes.front().size()));
       axes.front().parameters.push_back(std::move(parameter));
       continue;
     }
-    if (size > most_sweep_cells / cells) reject(fmt::format(words::sweeps::too_many_cells, most_sweep_cells));
+    if (size > most_sweep_cells / cells)
+      reject(fmt::format("makes more than {} cells; must be fewer", most_sweep_cells));
     cells *= size;
     axes.push_back({{std::move(parameter)}});
   }
   if (axes.empty() || axes.size() > most_sweep_axes)
     throw InputError(option, "", fmt::format("{} parameters", axes.size()),
-                     fmt::format(words::sweeps::number_of_axes, most_sweep_axes));
+                     fmt::format("must be 1 to {} parameters, or more that vary together", most_sweep_axes));
   return axes;
 }
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
@@ -15,6 +14,8 @@
 namespace equipoise {
 
 namespace {
+
+constexpr char all_together[] = "# all unbalances in proportion\n";
 
 bool about_unbalance(std::string_view key) {
   return key == "rotor.eccentricity" || key.starts_with("rotor.balance_grade") || key.starts_with("place");
@@ -58,9 +59,15 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
   const auto refuse = [&](const char* why) {
     throw InputError(source.name, "rotor.unbalance", "", fmt::format(fmt::runtime(why), instead));
   };
-  if (varies(study, axes, about_planes)) refuse(words::sweeps::unbalance_varies);
+  if (varies(study, axes, about_planes))
+    refuse(
+        "an unbalance of this rotor that tilts is drawn or varied besides; must be another key, such as --of {} with "
+        "its range, --between LOW:HIGH");
   const model::Parameters& p = study.parameters;
-  if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0) refuse(words::sweeps::couple_alone);
+  if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0)
+    refuse(
+        "the rotor's unbalance is a couple alone, which no static unbalance measures; must be another key, such as "
+        "--of {} with its range, --between LOW:HIGH");
   StudyValue::Array planes = stated && stated->array() ? *stated->array() : StudyValue::Array{};
   for (const DataSheet::Place& place : study.in_si->sheet.places)
     planes.push_back({{"at", study::quantity_text(place.at, study::Dimension::length)},
@@ -72,7 +79,7 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
   if (!planes.empty()) rotor.find("tilt")->set("unbalance", planes);
   tree.erase("place");
   // Without any unbalance rotor.unbalance stands for itself.
-  return {(p.eccentricity > 0.0 ? std::string(words::sweeps::all_together) : "") + to_toml(tree), source.name, {}};
+  return {(p.eccentricity > 0.0 ? std::string(all_together) : "") + to_toml(tree), source.name, {}};
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxi
 }
 
 // The mark is the first line that with_all_unbalances() writes, so that it is part of what identifies a run.
-bool varies_all_unbalances(const StudySource& source) { return source.toml.starts_with(words::sweeps::all_together); }
+bool varies_all_unbalances(const StudySource& source) { return source.toml.starts_with(all_together); }
 
 std::vector<std::string> unbalances_in_proportion(const SweepPlan& plan, double unbalance) {
   const StudySource& source = plan.source();

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/attractors/words/motions.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
@@ -17,6 +16,12 @@
 namespace equipoise {
 
 namespace {
+
+constexpr char one_captured_text[] = "one captured";
+constexpr char different_rates[] = "drifting at different rates";
+constexpr char co_drifting_text[] = "co-drifting";
+constexpr char pair_drift_text[] = "pair drift";
+constexpr char drifting_apart_text[] = "drifting apart";
 
 // For off_balance() of a refined equilibrium: where balls cancel exactly, only rounding is left.
 constexpr double centred = 1e-9;
@@ -57,28 +62,28 @@ struct Topology {
 std::string suffix(const Motion& motion, int turns) {
   if (never_repeats(motion.kind)) return fmt::format(", {}", name_of(motion.kind));
   if (motion.depends_on_angle)
-    return fmt::format(words::motions::back_after, motion.sections, motion.sections > 1 ? "s" : "");
-  return turns > 1 ? fmt::format(words::motions::period, turns) : "";
+    return fmt::format(", back after {} strobe{}", motion.sections, motion.sections > 1 ? "s" : "");
+  return turns > 1 ? fmt::format(", period {}", turns) : "";
 }
 
 // "", " together" (all `count` of them), " (2 together)", " (3 and 2 together)".
 std::string grouping(const std::vector<int>& groups, int count) {
   if (groups.empty()) return "";
-  if (groups.front() == count) return words::motions::all_together;
+  if (groups.front() == count) return " together";
   std::string text;
   for (const int size : groups) text += fmt::format("{}{}", text.empty() ? "" : " and ", size);
-  return fmt::format(words::motions::some_together, text);
+  return fmt::format(" ({} together)", text);
 }
 
 // Of a rotor that tilts, three balls or more may rest together in one race, and apart in another, which is centred.
 MotionName name_of_locked(const model::Parameters& p, const Motion& motion) {
-  MotionName name{words::motions::locked, "", locked};
+  MotionName name{"locked", "", locked};
   if (p.tilts() && p.balls > 2) name.name += grouping(Topology(p, motion).captured_groups, p.balls);
   return name;
 }
 
 MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
-  return model::off_balance(p, motion.state) < centred ? MotionName{words::motions::balanced, "", balanced}
+  return model::off_balance(p, motion.state) < centred ? MotionName{"balanced", "", balanced}
                                                        : name_of_locked(p, motion);
 }
 
@@ -97,46 +102,44 @@ bool hangs(const model::Parameters& p, const Motion& motion) {
 }
 
 MotionName name_of_one(const Motion& motion, const Topology& topology) {
-  return {(topology.captured ? words::motions::captured : words::motions::drifting) + suffix(motion, topology.turns),
-          "", other};
+  return {(topology.captured ? "captured" : "drifting") + suffix(motion, topology.turns), "", other};
 }
 
 MotionName name_of_two(const Motion& motion, const Topology& topology) {
   const std::string ending = suffix(motion, topology.turns);
-  if (topology.captured == 2) return {words::motions::both_captured + ending, "", other};
+  if (topology.captured == 2) return {"both captured" + ending, "", other};
   if (topology.captured == 1) {
     if (motion.depends_on_angle)
-      return {words::motions::one_captured + ending, "", other};  // V3 and V4 are motions of isotropic rotors
-    if (motion.kind == MotionKind::periodic && topology.turns == 1)
-      return {words::motions::one_captured, "V3", one_captured};
+      return {one_captured_text + ending, "", other};  // V3 and V4 are motions of isotropic rotors
+    if (motion.kind == MotionKind::periodic && topology.turns == 1) return {one_captured_text, "V3", one_captured};
     if (motion.kind == MotionKind::periodic && topology.turns == 4)
-      return {words::motions::one_captured + ending, "V4", period_four};
-    return {words::motions::one_captured + ending, "", other};
+      return {one_captured_text + ending, "V4", period_four};
+    return {one_captured_text + ending, "", other};
   }
-  if (topology.rates > 1) return {words::motions::different_rates, "", other};
+  if (topology.rates > 1) return {different_rates, "", other};
   if (topology.clusters == 1 || motion.together)
-    return ending.empty() ? MotionName{words::motions::co_drifting, "V1", co_drifting}
-                          : MotionName{words::motions::co_drifting + ending, "", other};
+    return ending.empty() ? MotionName{co_drifting_text, "V1", co_drifting}
+                          : MotionName{co_drifting_text + ending, "", other};
   // A pair that swings once a turn or more often follows the unbalance.
   if (motion.oppositions_per_turn > twice_a_turn)
-    return motion.kind == MotionKind::chaotic ? MotionName{words::motions::pair_drift + ending, "", other}
-                                              : MotionName{words::motions::pair_drift, "", pair_drift};
-  return motion.depends_on_angle ? MotionName{words::motions::drifting_apart + ending, "", other}
-                                 : MotionName{words::motions::drifting_apart, "V2", drifting_apart};
+    return motion.kind == MotionKind::chaotic ? MotionName{pair_drift_text + ending, "", other}
+                                              : MotionName{pair_drift_text, "", pair_drift};
+  return motion.depends_on_angle ? MotionName{drifting_apart_text + ending, "", other}
+                                 : MotionName{drifting_apart_text, "V2", drifting_apart};
 }
 
 MotionName name_of_many(const Motion& motion, const Topology& topology) {
   const std::string ending = suffix(motion, topology.turns);
   const std::string together = grouping(topology.drifting_groups, topology.drifting);
-  if (topology.drifting == 0) return {words::motions::all_captured + ending, "", other};
+  if (topology.drifting == 0) return {"all captured" + ending, "", other};
   if (topology.captured > 0) {
-    return {fmt::format(words::motions::some_captured, topology.captured,
+    return {fmt::format("{} captured{}, {} drifting{}{}", topology.captured,
                         grouping(topology.captured_groups, topology.captured), topology.drifting, together, ending),
             "", other};
   }
-  if (topology.rates > 1) return {words::motions::different_rates + together + ending, "", other};
-  if (topology.clusters == 1 || motion.together) return {words::motions::co_drifting + ending, "", other};
-  return {words::motions::drifting_apart + together + ending, "", other};
+  if (topology.rates > 1) return {different_rates + together + ending, "", other};
+  if (topology.clusters == 1 || motion.together) return {co_drifting_text + ending, "", other};
+  return {drifting_apart_text + together + ending, "", other};
 }
 
 }  // namespace
@@ -166,19 +169,18 @@ bool captured_at_resonance(const model::System& system, const Motion& motion) {
 std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
   if (!motion.motor) return "";
   const model::System system = system_of(p, motion);
-  std::string text = captured_at_resonance(system, motion) ? words::motions::at_resonance : "";
-  if (system.pace() * motion.speed < 0.0) text += words::motions::backwards;
+  std::string text = captured_at_resonance(system, motion) ? ", captured at resonance" : "";
+  if (system.pace() * motion.speed < 0.0) text += ", backwards";
   return text;
 }
 
 MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
   if (motion.stuck)
-    return motion.balanced ? MotionName{words::motions::balanced_stuck, "", balanced}
-                           : MotionName{words::motions::locked_stuck, "", locked};
-  if (motion.depends_on_angle && motion.balanced) return {words::motions::balanced, "", balanced};
+    return motion.balanced ? MotionName{"balanced, stuck", "", balanced} : MotionName{"locked, stuck", "", locked};
+  if (motion.depends_on_angle && motion.balanced) return {"balanced", "", balanced};
   if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
   if (keeps_step(p, motion)) return name_of_locked(p, motion);
-  if (hangs(p, motion)) return {words::motions::hanging + (motion.sections > 1 ? suffix(motion, 0) : ""), "", other};
+  if (hangs(p, motion)) return {"hanging" + (motion.sections > 1 ? suffix(motion, 0) : ""), "", other};
   const Topology topology(p, motion);
   return p.balls == 1   ? name_of_one(motion, topology)
          : p.balls == 2 ? name_of_two(motion, topology)

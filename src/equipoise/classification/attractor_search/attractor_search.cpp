@@ -16,7 +16,6 @@
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -280,7 +279,7 @@ class Discoverer {
 
   // Follows candidates until they are steady. Lists those that become so, with the windows that recognise them.
   bool refine_candidates() {
-    s_.stages.begin(words::runs::motions_followed, candidates_.size());
+    s_.stages.begin("motions followed until they are steady", candidates_.size());
     const std::uint64_t first = s_.notes.reserve(candidates_.size());
     in_parallel(s_.settings.threads, candidates_.size(), [&](std::size_t k) {
       if (s_.is_stopped()) return;

@@ -5,9 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "equipoise/attractors/words/motions.hpp"
 #include "equipoise/classification/trapping_regions/coasting_region.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -17,8 +15,7 @@ namespace {
 int list_ends(const model::System& system, Catalogue& catalogue) {
   Motion balanced = measured_motion();
   balanced.set_valued = system.events().stick;
-  catalogue.add(
-      {balanced_id, balanced.set_valued ? words::motions::balanced_stuck : words::motions::balanced, "", balanced, {}});
+  catalogue.add({balanced_id, balanced.set_valued ? "balanced, stuck" : "balanced", "", balanced, {}});
   return catalogue.add({"stalled", "", 0}, measured_motion());
 }
 
@@ -29,7 +26,7 @@ AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
   AttractorSearch result;
   result.balanced = analyse_balanced(system, stop);
   std::string& note = result.balanced.note;
-  if (note.empty()) note = words::runs::unknown_end;
+  if (note.empty()) note = "no torque acts in the end, and the speed that the rotor then keeps is not known beforehand";
   ClassificationRule& rule = result.rule = first_rule(study, result.balanced, system);
   const double horizon = *study.numerics.horizon;
   // Windows must be long enough to show slow losses of speed.

@@ -13,7 +13,6 @@
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 #include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
@@ -146,7 +145,7 @@ bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double 
   const std::size_t chunk = chunk_for(threads);
   states_ = begin_;
   std::atomic<bool> complete{true};
-  stages.begin(words::runs::pilot_trajectories, count);
+  stages.begin("pilot trajectories", count);
   in_parallel(threads, (count + chunk - 1) / chunk, [&](std::size_t k) {
     const std::size_t first = k * chunk, length = std::min(chunk, count - first);
     BatchTask task = task_;

@@ -13,7 +13,6 @@
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -73,7 +72,7 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
       settings(asked),
       drawn(drawing),
       notes(asked.notes, subject),
-      stages(words::runs::looking_for_attractors, asked.progress),
+      stages("looking for attractors", asked.progress),
       trials{.system = &system,
              .tolerance = source.tolerance(),
              .threads = asked.threads,

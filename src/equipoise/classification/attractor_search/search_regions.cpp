@@ -12,7 +12,6 @@
 #include "equipoise/classification/trapping_regions/torus_region.hpp"
 #include "equipoise/classification/trapping_regions/validated_level.hpp"
 #include "equipoise/machine/mechanics/capability.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -29,7 +28,7 @@ constexpr double slowest_worth_widening = 1e-3;
 }  // namespace
 
 void SearchRegions::find_balanced() {
-  s_.stages.begin(words::runs::balanced_states);
+  s_.stages.begin("balanced states");
   BalancedAnalysis& balanced = s_.result.balanced;
   balanced = analyse_balanced(s_.system, s_.settings.stop, s_.settings.warm_start_levels.weights);
   if (s_.drawn) draw_rotors(balanced);

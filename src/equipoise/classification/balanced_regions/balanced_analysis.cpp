@@ -11,7 +11,7 @@
 
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/room_in_race.hpp"
@@ -62,8 +62,10 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   result.stable = sample.attracts() || !rests;
   result.growth_rate = sample.most_growth;
   if (!result.stable && sample.drawn > 0)
-    result.note =
-        fmt::format(words::proof::all_drawn_unstable, sample.drawn, at.speed, sample.least_growth, sample.most_growth);
+    result.note = fmt::format(
+        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
+        "{:.3g} to {:.3g})",
+        sample.drawn, at.speed, sample.least_growth, sample.most_growth);
   if (!rests || sample.drawn == 0 || is_set(stop)) return;
   if (auto motion = balanced_motion(at, sample.typical, stop)) result.motions.push_back(*std::move(motion));
 }
@@ -71,16 +73,18 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
 // What keeps the balanced state from resting, and how much of that the motion that it becomes survives.
 std::string lost_motion(const model::Parameters& p, double reached) {
   const bool gravity = p.gravity != 0.0, unequal = !p.isotropic();
-  return fmt::format(words::proof::motion_lost,
-                     gravity && unequal ? words::proof::gravity_and_supports
-                     : gravity          ? words::proof::gravity_is
-                                        : words::proof::supports_are,
-                     100.0 * reached, gravity && unequal ? "both" : "it");
+  return fmt::format(
+      "no balanced motion was found: the motion that grows out of the balanced state as {} switched on can be followed "
+      "to {:.2g} % of {}",
+      gravity && unequal ? "gravity and the supports' difference are"
+      : gravity          ? "gravity is"
+                         : "the supports' difference is",
+      100.0 * reached, gravity && unequal ? "both" : "it");
 }
 
 std::string instability(const BalancedAnalysis& result, double speed) {
   if (result.growth_rate > least_rate) return fmt::format(words::proof::unstable, speed, result.growth_rate);
-  return fmt::format(words::proof::not_linearly_stable, speed);
+  return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
 }
 
 void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector<ModeWeight>& known,
@@ -137,7 +141,7 @@ BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* s
   result.states = model::balanced_states(system, any_speed);
   const Balance at{system, model::balanced_speed(system).value_or(0.0)};
   if (result.states.kind == Kind::none) {
-    result.note = fmt::format(words::proof::no_balanced_state, result.states.reason);
+    result.note = fmt::format("no balanced state exists: {}", result.states.reason);
   } else if (system.coasts()) {
     result.stable = true;  // or not, depending on the speed that is left
   } else if (system.events().stick) {

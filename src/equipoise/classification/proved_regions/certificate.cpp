@@ -10,7 +10,7 @@
 
 #include "equipoise/classification/proved_regions/level_proof.hpp"
 #include "equipoise/classification/proved_regions/tilt_proof.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/capability.hpp"
@@ -69,12 +69,13 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
     waiting.pop_back();
     if (proof.outside(work.box)) continue;
     if (is_set(stop)) return not_finished;
-    if (budget-- <= 0) return {false, fmt::format(words::proof::boxes_used_up, c.level)};
+    if (budget-- <= 0) return {false, fmt::format("the boxes allowed do not suffice to prove level {:.6g}", c.level)};
     if (proof.find(work.box)) {
       c.boxes.push_back(work.box);
       continue;
     }
-    if (work.depth >= kind.balls * deepest) return {false, fmt::format(words::proof::no_decrease_shown, c.level)};
+    if (work.depth >= kind.balls * deepest)
+      return {false, fmt::format("V could not be shown to decrease everywhere below level {:.6g}", c.level)};
     // Multipliers vary little from box to box: the halves begin with what was found last.
     auto [first, second] = halves<kind>(work.box);
     waiting.push_back({second, work.depth + 1});
@@ -107,24 +108,29 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
   if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0, stop))
-    return is_set(stop) ? not_finished : CertificateResult{false, words::proof::boxes_do_not_cover};
+    return is_set(stop) ? not_finished
+                        : CertificateResult{false, "the boxes do not cover the level set, each part of it once"};
   for (const Box& box : c.boxes) {
     if (is_set(stop)) return not_finished;
-    if (!proof.holds(box)) return {false, fmt::format(words::proof::box_does_not_prove, box.low[0], box.low[1])};
+    if (!proof.holds(box))
+      return {false,
+              fmt::format("the box at tau = ({:.4g}, {:.4g}) does not prove that V decreases", box.low[0], box.low[1])};
   }
   return {true, ""};
 }
 
 std::string refusal(const model::System& system) {
   const model::Parameters& p = system.parameters();
-  if (!p.tilts() && (p.balls < 1 || p.balls > 2)) return words::proof::continuum_of_many;
+  if (!p.tilts() && (p.balls < 1 || p.balls > 2))
+    return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
   if (!std::isfinite(system.speed())) return words::proof::speed_is_finite;
   if (const auto lack = model::lacking(system, model::ResultKind::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none)
-    return fmt::format(words::proof::no_balanced_state, states.reason);
+    return fmt::format("no balanced state exists: {}", states.reason);
   if (p.tilts()) return tilt_refusal(system);
-  if (states.kind == model::BalancedStates::Kind::continuum) return words::proof::continuum_without_unbalance;
+  if (states.kind == model::BalancedStates::Kind::continuum)
+    return "without unbalance there is a continuum of balanced states; proofs are for isolated ones";
   return "";
 }
 
@@ -133,14 +139,15 @@ std::string hopeless(const model::System& system, double speed, const double* ph
                      double level) {
   const int size = system.dimension();
   if (form.rows() != size || form.cols() != size || !form.allFinite())
-    return fmt::format(words::proof::form_size, size);
-  if (!(level > 0.0) || !std::isfinite(level)) return words::proof::level_is_positive;
-  if (!dense::Cholesky(form).definite()) return words::proof::form_not_definite;
+    return fmt::format("the form must be a {0} x {0} matrix of finite numbers", size);
+  if (!(level > 0.0) || !std::isfinite(level)) return "the level must be a finite number greater than 0";
+  if (!dense::Cholesky(form).definite()) return "the form is not positive definite";
   const Eigen::MatrixXd a = model::jacobian(system, model::balanced_state(system, speed, phi));
   const double growth = dense::largest_real_part(a);
-  if (!(growth < 0.0)) return fmt::format(words::proof::state_not_stable, speed, growth);
+  if (!(growth < 0.0))
+    return fmt::format("the balanced state is not linearly stable at speed {} (growth rate {:.3g})", speed, growth);
   const Eigen::MatrixXd fall = -(form * a + a.transpose() * form);
-  if (!dense::Cholesky(fall).definite()) return words::proof::no_linear_decrease;
+  if (!dense::Cholesky(fall).definite()) return "V does not decrease along the linearised equations";
   return "";
 }
 

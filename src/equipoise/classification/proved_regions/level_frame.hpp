@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "equipoise/classification/proved_regions/certificate.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/interval.hpp"
 
 namespace equipoise {
@@ -29,7 +29,7 @@ const char* enclose_frame(const Certificate& c, double error, std::array<std::ar
     for (int j = 0; j < size; ++j) {
       form[i][j] = c.form(i, j);
       frame[i][j] = transposed[j][i] = c.frame(i, j);
-      if (c.form(i, j) != c.form(j, i)) return words::proof::form_not_symmetric;
+      if (c.form(i, j) != c.form(j, i)) return "the form is not symmetric";
     }
   gradient = product<size, size, size>(transposed, form);
   for (auto& row : gradient)
@@ -38,7 +38,7 @@ const char* enclose_frame(const Certificate& c, double error, std::array<std::ar
   for (int i = 0; i < size; ++i) {
     Interval sum(0.0);
     for (int j = 0; j < size; ++j) sum = sum + Interval((unit[i][j] - Interval(i == j ? 1.0 : 0.0)).magnitude());
-    if (!(sum.high < error)) return words::proof::frame_is_not_of_the_form;
+    if (!(sum.high < error)) return "the frame does not make the level set of the form the unit ball";
   }
   disc = ((Interval(1.0) + Interval(level_slack)) / (Interval(1.0) - Interval(error))).high;
   return nullptr;

@@ -5,7 +5,7 @@
 
 #include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/classification/proved_regions/level_rates.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/krawczyk.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
@@ -56,7 +56,7 @@ bool LevelProof<kind>::enclose_speed(const Certificate& c) {
       rest_[4 + n] = speed;
       if constexpr (kind.integral)
         rest_[etas - 1] = (damping * speed - Interval(m.constant) - Interval(m.slope) * speed) / Interval(m.integral);
-      if (!((damping * speed).magnitude() < m.limit)) fault_ = words::proof::motor_at_limit;
+      if (!((damping * speed).magnitude() < m.limit)) fault_ = "the motor is at its limit in balance";
       if (!((speed - Interval(c.speed)).magnitude() < centre_error)) fault_ = words::proof::other_speed;
     }
     rest_[0] = -x;
@@ -77,9 +77,9 @@ bool LevelProof<kind>::enclose_balance(const Certificate& c) {
   if constexpr (n == 1) {
     balance_[0] = {pi, std::nextafter(pi, 4.0)};
     if (p.mass[0] != p.eccentricity || !p.race_is_centred())
-      fault_ = words::proof::one_ball_balances;
+      fault_ = "one ball balances only if it weighs as much as the unbalance and the race is centred";
     else if (!(std::fabs(c.phi[0] - pi) < centre_error))
-      fault_ = words::proof::angle_encloses_none;
+      fault_ = "the ball angle does not enclose a balanced state";
   } else {
     const auto at_rest = [&](const std::array<Slope, n>& angles) {
       const auto f = rates(slope_flow_, angles);
@@ -109,7 +109,7 @@ bool LevelProof<kind>::check_frame(const Certificate& c) {
     const int row = model::index::phi(i);
     Interval reach(0.0);
     for (int j = 0; j < size; ++j) {
-      if (j < etas && frame_[row][j] != 0.0) fault_ = words::proof::frame_mixes_angles;
+      if (j < etas && frame_[row][j] != 0.0) fault_ = "the frame lets ball angles depend on more than tau";
       reach = reach + square(Interval(frame_[row][j]));
     }
     if (!(square_root(reach * Interval(disc_)).high < 3.1)) fault_ = words::proof::reaches_around;
@@ -156,7 +156,7 @@ void LevelProof<kind>::linearise() {
   const auto f = rates(slope_flow_, angles);
   for (int row = 0; row < size; ++row) {
     // The equations never branch on values, so one look at their shape holds for every box.
-    if (f[row].beyond) fault_ = words::proof::not_the_right_order;
+    if (f[row].beyond) fault_ = "the equations are not linear in x, y, u, v and quadratic in each ball's speed";
     for (int v = 0; v < etas; ++v) jacobian_[row][row_of(v)] = f[row].coefficient[1 + v].value;
     for (int i = 0; i < n; ++i) {
       jacobian_[row][model::index::phi(i)] = f[row].coefficient[0].slope[i];

@@ -12,7 +12,7 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/model/equations-inl.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 
 namespace equipoise {
 

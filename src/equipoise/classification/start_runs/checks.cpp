@@ -14,7 +14,6 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/transients/clamped_transients.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -81,7 +80,7 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
     check_runnable(drawn_study(study, values), transients);
   } catch (const InputError& e) {
     throw InputError(e.place(), e.key(), e.value(),
-                     fmt::format(words::runs::corner, e.problem(), values_text(study.uncertain, values)));
+                     fmt::format("{}; with {}", e.problem(), values_text(study.uncertain, values)));
   }
 }
 
@@ -90,9 +89,9 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
 void check_drawable(const Study& study, bool transients) {
   check(study);
   if (study.numerics.decide != ClassificationMode::validated)
-    throw InputError(study.name, "numerics.decide",
-                     classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
-                     words::runs::uncertain_need_validated);
+    throw InputError(
+        study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
+        "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
   check_runnable(with_medians(study), transients);
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
   if (uncertain.size() > most_tried_together) return;  // the study reader has tried each end by itself
@@ -114,9 +113,10 @@ void check_tilting(const Study& study) {
   if (clamped && study.speed.driven())
     refuse(release_key(study),
            study.release.speed ? fmt::format("{}", *study.release.speed) : fmt::format("{}", *study.release.time),
-           words::runs::tilting_motor_holds_no_balls);
+           "balls of a rotor with rotor.tilt that a motor drives are free from the beginning, without [release]");
   if (study.speed.driven() && study.system().coasts())
-    refuse("speed.torque", "0 in the end", words::runs::tilting_rotor_coasts);
+    refuse("speed.torque", "0 in the end",
+           "with rotor.tilt starts of a rotor that coasts in the end cannot be decided (simulate follows one)");
 }
 
 // Throws InputError if the spin-up with clamped balls is too long to look for peaks in it.
@@ -125,7 +125,9 @@ void check_watchable(const Study& study) {
   const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
   if (points <= most_clamped_grid_points) return;
   throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
-                   fmt::format(words::runs::released_too_late, release, release * (most_clamped_grid_points / points)));
+                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
+                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
+                               release, release * (most_clamped_grid_points / points)));
 }
 
 void check_decidable(const Study& study) {
@@ -135,12 +137,13 @@ void check_decidable(const Study& study) {
   const double speed = study.speed_profile().final_speed();
   // No machine is faster, and the integrator's steps shrink with the speed.
   if (std::fabs(speed) > runaway_speed)
-    throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-                     fmt::format(words::runs::final_speed_range, runaway_speed));
+    throw InputError(
+        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", runaway_speed));
   if (study.numerics.decide == ClassificationMode::proof)
     if (const auto lack = model::lacking(study.system(), model::ResultKind::proofs))
       throw InputError(study.name, "numerics.decide", "proof",
-                       fmt::format(words::runs::no_proof_decides, lack->reason));
+                       fmt::format("{}; must be \"validated\" or \"horizon\"", lack->reason));
   reject_if_lacking(study, model::ResultKind::shares);
   check_tilting(study);
 }
@@ -156,7 +159,10 @@ void reject_if_lacking(const Study& study, model::ResultKind answer) {
 
 void check_has_balls(const Study& study) {
   if (study.parameters.balls == 0)
-    throw InputError(study.name, "balancer.balls", "0", fmt::format(words::runs::no_balls, model::max_balls));
+    throw InputError(study.name, "balancer.balls", "0",
+                     fmt::format("leaves nothing to balance with; must be 1 to {} here: only basin, report, simulate "
+                                 "and explain take a rotor without balls",
+                                 model::max_balls));
 }
 
 void check_offers(const Study& study, model::ResultKind answer) {

@@ -8,7 +8,6 @@
 
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -60,8 +59,11 @@ StartCost start_cost(const Study& study) {
 void check_cost(const Study& study) {
   const StartCost cost = start_cost(study);
   if (cost.bearable()) return;
-  throw InputError(study.name, cost.by_drag ? "balancer.drag" : "rotor.damping", fmt::format("{:.6g}", cost.cause),
-                   fmt::format(words::runs::stiff, cost.steps, cost.time, cost.fastest / stable_to, cost.allowed));
+  throw InputError(
+      study.name, cost.by_drag ? "balancer.drag" : "rotor.damping", fmt::format("{:.6g}", cost.cause),
+      fmt::format("makes the equations stiff: about {:.1g} steps a start, {:.2g} units of time with {:.3g} steps each; "
+                  "basin and attractors take up to {:.3g} here (or a shorter numerics.horizon)",
+                  cost.steps, cost.time, cost.fastest / stable_to, cost.allowed));
 }
 
 }  // namespace equipoise

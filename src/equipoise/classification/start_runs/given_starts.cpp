@@ -9,7 +9,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/results/io/checksum.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -35,14 +34,17 @@ class GivenStart {
     const InitialState& common = study_.initial;
     const bool clamped = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
     if (prescribed && model::depends_on_rotor_angle(study_.parameters))
-      require("psi", s_.psi, common.psi, words::runs::rotor_is_prescribed);
+      require("psi", s_.psi, common.psi, "where the rotor turns as prescribed, and its angle matters");
     if (clamped && prescribed)
       for (const Quantity& q : std::span(rotor).subspan(1))
-        require(q.key, s_.*q.value, common.*q.value, words::runs::prescribed_until_release);
+        require(q.key, s_.*q.value, common.*q.value, "where the rotor turns as prescribed until the balls are let go");
     for (int i = 0; clamped && i < study_.parameters.balls; ++i)
-      if (s_.phi_dot[i] != 0.0) fail("phi_dot", s_.phi_dot[i], words::runs::balls_are_clamped, i);
+      if (s_.phi_dot[i] != 0.0)
+        fail("phi_dot", s_.phi_dot[i], "must be 0: the balls are clamped until their release", i);
     if (overlap(study_.parameters, s_.phi.data()))
-      fail("phi", s_.phi[0], fmt::format(words::runs::balls_overlap, study_.parameters.contact_angle));
+      fail("phi", s_.phi[0],
+           fmt::format("balls overlap; must be at least {} rad apart, as balls are that touch",
+                       study_.parameters.contact_angle));
   }
 
  private:
@@ -63,13 +65,13 @@ class GivenStart {
                      fmt::format("{}", value), problem);
   }
   void finite(const char* key, double value, int ball = -1) const {
-    if (!std::isfinite(value)) fail(key, value, words::runs::finite_number, ball);
+    if (!std::isfinite(value)) fail(key, value, "must be a finite number", ball);
   }
   void absent(const char* key, double value, int ball) const {
-    if (value != 0.0) fail(key, value, fmt::format(words::runs::no_such_ball, study_.parameters.balls), ball);
+    if (value != 0.0) fail(key, value, fmt::format("must be 0: the study has {} balls", study_.parameters.balls), ball);
   }
   void require(const char* key, double value, double common, const char* why) const {
-    if (value != common) fail(key, value, fmt::format(words::runs::as_in_initial, common, why));
+    if (value != common) fail(key, value, fmt::format("must be {}, as in [initial], {}", common, why));
   }
 
   const Study& study_;
@@ -81,7 +83,8 @@ class GivenStart {
 
 void check_takes_starts(const Study& study) {
   if (!study.uncertain.empty())
-    throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::no_uncertain_values);
+    throw InputError(study.name, study.uncertain.values.front().key, "",
+                     "is uncertain; starts of one's own need a study without uncertain values");
 }
 
 void check_given_starts(const Study& study, std::span<const InitialState> given) {

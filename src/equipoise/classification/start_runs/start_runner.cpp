@@ -12,7 +12,6 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -107,7 +106,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, Decided& decided) 
 }
 
 bool StartRunner::run_from(std::span<const InitialState> given, Decided& decided) const {
-  if (family_) throw std::logic_error(words::runs::known_by_numbers);
+  if (family_) throw std::logic_error("starts that draw their rotors are known by their numbers alone");
   Batch batch(*this, gathers_);
   return source_->follow(parted(study_.parameters, given), batch.starts, batch.watched_table()) &&
          finish(batch, decided);

@@ -17,7 +17,6 @@
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -72,8 +71,8 @@ std::string speed_words(const Study& study, double speed) {
 }
 
 std::string horizon_text(const Study& study, const Horizon& h) {
-  const std::string followed =
-      fmt::format(words::runs::followed_for, time_words(study, h.time, 6), h.given ? "numerics.horizon" : "chosen");
+  const std::string followed = fmt::format("they were followed for {} ({})", time_words(study, h.time, 6),
+                                           h.given ? "numerics.horizon" : "chosen");
   return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
 }
 
@@ -82,10 +81,12 @@ std::string run_up_text(const Study& study, const Horizon& horizon) {
   const auto aim = model::sustained_speed(study.system());
   const auto run = aim ? run_up(study, *aim) : std::nullopt;
   if (!run || !run->alone) return "";
-  if (!run->shaken) return fmt::format(words::runs::stalls_alone, speed_words(study, std::fabs(run->stalls_at)));
-  return fmt::format(words::runs::run_up_takes, speed_words(study, std::fabs(run->speed)),
-                     time_words(study, *run->shaken, 3),
-                     *run->shaken - run->last_piece > horizon.time ? words::runs::longer_than_followed : "");
+  if (!run->shaken)
+    return fmt::format("; even without balls the rotor stalls at {}, where its own unbalance takes the motor's power",
+                       speed_words(study, std::fabs(run->stalls_at)));
+  return fmt::format("; a run-up to {} takes about {} with the power that the rotor's own unbalance takes{}",
+                     speed_words(study, std::fabs(run->speed)), time_words(study, *run->shaken, 3),
+                     *run->shaken - run->last_piece > horizon.time ? ", longer than they were followed" : "");
 }
 
 // How far the rotors that speed up have come, and how long a run-up takes.
@@ -99,7 +100,7 @@ std::string speeding_text(const Study& study, const Horizon& horizon, const std:
   const std::string from = speed_words(study, least), to = speed_words(study, most);
   std::string text = "at " + (from == to ? to : from + " to " + to);
   if (const auto aim = study.motor().final_speed())
-    text += fmt::format(words::runs::aimed_at, speed_words(study, std::fabs(*aim)));
+    text += fmt::format(" when last seen; the motor's target is {}", speed_words(study, std::fabs(*aim)));
   text += run_up_text(study, horizon);
   return text;
 }
@@ -112,11 +113,11 @@ std::string time_words(const Study& study, double time, int digits) {
 
 std::string slowness_text(const Horizon& h) {
   const double slowest = h.rates.slowest();
-  if (slowest == 0.0) return words::runs::never_settle;
-  const char* what = slowest == h.rates.drag     ? words::runs::drag_damps
-                     : slowest == h.rates.growth ? words::runs::balance_left
-                                                 : words::runs::balance_approached;
-  return fmt::format(words::runs::slow, what, slowest, h.asked);
+  if (slowest == 0.0) return "balls without drag never settle";
+  const char* what = slowest == h.rates.drag     ? "drag damps the balls"
+                     : slowest == h.rates.growth ? "balance is left"
+                                                 : "balance is approached";
+  return fmt::format("{} at a rate of {:.2g}, so the horizon must be about {:.2g}", what, slowest, h.asked);
 }
 
 UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state) {
@@ -141,15 +142,23 @@ std::string clamped_text(const std::vector<UndecidedEnd>& ends) {
         (!best || std::fabs(e.reached - e.asked) < std::fabs(best->reached - best->asked)))
       best = &e;
   if (!best) return "";
-  return best->asked == 0.0 ? fmt::format(words::runs::keeps_turning, best->reached)
-                            : fmt::format(words::runs::comes_near_release, best->reached / best->asked);
+  return best->asked == 0.0
+             ? fmt::format("the rotor keeps turning, at {:.2g} at least, and never comes to release.speed = 0",
+                           best->reached)
+             : fmt::format("the rotor comes to {:.2g} of release.speed at most", best->reached / best->asked);
 }
 
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
-  constexpr std::array<const char*, restlessness_kinds> kinds{
-      words::runs::near_balance,      words::runs::creeping,      words::runs::chaotic,     words::runs::not_repeating,
-      words::runs::never_let_go,      words::runs::running_away,  words::runs::speeding_up, words::runs::changing_speed,
-      words::runs::watched_too_short, words::runs::not_identified};
+  constexpr std::array<const char*, restlessness_kinds> kinds{"{} near balance",
+                                                              "{} creeping, all balls nearly at rest",
+                                                              "{} wandering chaotically",
+                                                              "{} in motions that do not repeat yet",
+                                                              "{} whose balls are never let go",
+                                                              "{} whose motor speeds the rotor up without end",
+                                                              "{} whose rotor still speeds up",
+                                                              "{} whose rotor still changes its mean speed",
+                                                              "{} watched for too short a time to compare its parts",
+                                                              "{} in steady motions that could not be identified"};
   std::vector<std::string> parts;
   std::size_t hopeless = 0;  // ends that more time would not change
   for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -165,10 +174,10 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
     if (what != Restlessness::chaotic) continue;
     double sum = 0.0;
     for (const UndecidedEnd& e : ends) sum += e.exponent;
-    parts.back() += fmt::format(words::runs::lyapunov, sum / static_cast<double>(count));
+    parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
   }
   if (parts.empty()) return horizon_text(study, horizon);
-  const std::string seen = fmt::format(words::runs::examined, ends.size(), fmt::join(parts, ", "));
+  const std::string seen = fmt::format("of {} examined: {}", ends.size(), fmt::join(parts, ", "));
   return hopeless == ends.size() ? seen : seen + "; " + horizon_text(study, horizon);
 }
 

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -27,7 +26,7 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
   const std::size_t chunk = chunk_of(trials, settings);
   std::atomic<bool> good{true};
-  if (settings.progress) settings.progress->begin(words::proof::states_tried);
+  if (settings.progress) settings.progress->begin("states tried on level sets");
   in_parallel(settings.threads, (total + chunk - 1) / chunk, [&](std::size_t k) {
     if (!good) return;
     const std::size_t first = k * chunk;

@@ -11,14 +11,13 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/words/core.hpp"
 
 namespace equipoise {
 
 std::string unreadable_because(int error) {
-  if (error == ENOENT) return words::core::no_file;
-  if (error == EACCES) return words::core::no_permission;
-  return error == EISDIR ? words::core::directory : std::strerror(error);
+  if (error == ENOENT) return "no such file";
+  if (error == EACCES) return "not open to this user";
+  return error == EISDIR ? "a directory" : std::strerror(error);
 }
 
 FileText read_file(const std::string& path, std::size_t longest) {
@@ -31,9 +30,9 @@ FileText read_file(const std::string& path, std::size_t longest) {
   std::array<char, 65536> block;
   while (file.read(block.data(), block.size()), file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest) return {{}, fmt::format(words::core::file_too_long, longest >> 20)};
+    if (text.size() > longest) return {{}, fmt::format("more than {} MiB", longest >> 20)};
   }
-  if (file.bad()) return {{}, words::core::reading_broke_off};
+  if (file.bad()) return {{}, "reading broke off"};
   return {std::move(text), {}};
 }
 

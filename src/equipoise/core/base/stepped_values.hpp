@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/core/words/core.hpp"
 
 namespace equipoise {
 
@@ -22,9 +21,12 @@ inline double to_twelve_digits(double value, double largest) {
 
 /// Appends the values, at most `most`. Returns what is wrong with them, or an empty text.
 inline std::string stepped_values(double from, double to, double step, std::size_t most, std::vector<double>& values) {
-  if (step == 0.0 || (to - from) * step < 0.0) return fmt::format(words::core::step_leads_away, step, from, to);
+  if (step == 0.0 || (to - from) * step < 0.0)
+    return fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
+                       step, from, to);
   const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-  if (!(steps < static_cast<double>(most))) return fmt::format(words::core::too_many_values, steps + 1.0, most);
+  if (!(steps < static_cast<double>(most)))
+    return fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most);
   const double largest = std::max(std::fabs(from), std::fabs(to));
   for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
     values.push_back(to_twelve_digits(from + static_cast<double>(k) * step, largest));

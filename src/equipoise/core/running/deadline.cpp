@@ -7,7 +7,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/core/words/core.hpp"
 
 namespace equipoise {
 
@@ -25,7 +24,8 @@ double read_time_limit(const std::string& option, const std::string& text) {
   while (unit.starts_with(' ')) unit.remove_prefix(1);
   for (const auto& [name, seconds] : time_units)
     if (read.error == std::errc() && unit == name && value > 0.0 && value * seconds <= longest) return value * seconds;
-  throw InputError(option, "", display_text(text), words::core::not_a_time);
+  throw InputError(option, "", display_text(text),
+                   "must be a time greater than 0, at most 10000 h, in seconds or with a unit: 90, 60s, 10min, 1.5h");
 }
 
 Deadline::Deadline(StopFlag& stop, double seconds) : stop_(stop), begin_(Clock::now()), length_(seconds) {

@@ -20,11 +20,12 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/words/core.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char no_memory_for_threads[] = "{} threads cannot run: the process is not allowed as much memory; use fewer";
 
 using Arena = std::unique_ptr<tbb::task_arena>;
 
@@ -84,12 +85,13 @@ void require_threads(int count) {
       });
     heaps.wait();
     void* const left = allocated(two_heaps);
-    if (!left) problem = fmt::format(words::core::no_memory_for_threads, count);
+    if (!left) problem = fmt::format(no_memory_for_threads, count);
     std::free(left);
   } catch (const std::system_error& e) {
-    problem = fmt::format(words::core::no_thread, count, tried.size() + 1, e.code().message());
+    problem = fmt::format("{} threads cannot run: the system makes only {} ({}); use fewer", count, tried.size() + 1,
+                          e.code().message());
   } catch (const std::bad_alloc&) {
-    problem = fmt::format(words::core::no_memory_for_threads, count);
+    problem = fmt::format(no_memory_for_threads, count);
   }
   all_tried.set_value();
   for (std::thread& thread : tried) thread.join();

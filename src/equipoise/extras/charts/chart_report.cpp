@@ -15,7 +15,6 @@
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -359,7 +358,7 @@ std::string chart_json(const BifurcationChart& chart) {
 
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
-      chart.complete ? "" : fmt::format("# equipoise {}: chart{}\n", version_string, words::reports::csv_partial_early);
+      chart.complete ? "" : fmt::format("# equipoise {}: chart{}\n", version_string, ", PARTIAL: stopped early");
   text += fmt::format("curve,kind,of,{},{}", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += std::string(",") + curve_numbers[n].name;
   text += "\n";

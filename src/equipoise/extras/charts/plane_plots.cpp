@@ -16,7 +16,6 @@
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/words/plots.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
@@ -44,7 +43,7 @@ std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const st
   return plot_file(title,
                    {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
                     (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
-                    (complete ? "" : words::plots::partial_early)},
+                    (complete ? "" : " (PARTIAL: stopped early)")},
                    row);
 }
 

@@ -18,7 +18,6 @@
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
@@ -248,8 +247,7 @@ std::string stability_json(const StabilityPlane& plane) {
 
 std::string stability_csv(const StabilityPlane& plane) {
   std::string text =
-      plane.complete ? ""
-                     : fmt::format("# equipoise {}: stability{}\n", version_string, words::reports::csv_partial_early);
+      plane.complete ? "" : fmt::format("# equipoise {}: stability{}\n", version_string, ", PARTIAL: stopped early");
   text += fmt::format("{},{}", plane.x.key, plane.y.key);
   for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
   text += "\n";

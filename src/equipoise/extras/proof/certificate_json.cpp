@@ -9,11 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -62,19 +61,19 @@ class Reader {
 
   Reader(const Json& object, std::string where, std::string prefix)
       : object_(object), where_(std::move(where)), prefix_(std::move(prefix)) {
-    if (!object.is_object()) fail("", words::reports::must_be_object);
+    if (!object.is_object()) fail("", "must be an object");
   }
 
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
     throw InputError(where_, key.empty() ? prefix_ : prefix_ + "." + key, "", problem);
   }
   void require_positive(const char* key, double value) const {
-    if (!(value > 0.0)) fail(key, words::reports::must_be_positive);
+    if (!(value > 0.0)) fail(key, "must be greater than 0");
   }
   void operator()(const char* key, double& value) const { value = as_number(member(key), key); }
   void operator()(const char* key, bool& value) const {
     const auto found = object_.find(key);
-    if (found != object_.end() && !found->is_boolean()) fail(key, words::reports::must_be_true_or_false);
+    if (found != object_.end() && !found->is_boolean()) fail(key, "must be true or false");
     value = found != object_.end() && found->get<bool>();
   }
   template <class Values>
@@ -84,7 +83,7 @@ class Reader {
   }
   void matrix(const char* key, Eigen::MatrixXd& m, int size) const {
     const auto rows = lines(key, static_cast<std::size_t>(size));
-    if (rows.size() != static_cast<std::size_t>(size)) fail(key, fmt::format(words::reports::must_have_rows, size));
+    if (rows.size() != static_cast<std::size_t>(size)) fail(key, fmt::format("must have {} rows", size));
     m.resize(size, size);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) m(i, j) = rows[i][j];
@@ -101,7 +100,7 @@ class Reader {
   bool has(const char* key, bool) const { return object_.contains(key); }
   std::vector<std::vector<double>> lines(const char* key, std::size_t count) const {
     const Json& array = member(key);
-    if (!array.is_array()) fail(key, words::reports::must_be_lists_of_numbers);
+    if (!array.is_array()) fail(key, "must be an array of arrays of numbers");
     std::vector<std::vector<double>> result;
     for (const Json& line : array) result.push_back(as_list(line, key, count));
     return result;
@@ -110,15 +109,15 @@ class Reader {
  private:
   const Json& member(const char* key) const {
     const auto found = object_.find(key);
-    if (found == object_.end()) fail(key, words::reports::is_missing);
+    if (found == object_.end()) fail(key, "is missing");
     return *found;
   }
   double as_number(const Json& value, const char* key) const {
-    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, words::reports::must_be_finite);
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "must be a finite number");
     return value.get<double>();
   }
   std::vector<double> as_list(const Json& array, const char* key, std::size_t count) const {
-    if (!array.is_array() || array.size() != count) fail(key, fmt::format(words::reports::must_be_numbers, count));
+    if (!array.is_array() || array.size() != count) fail(key, fmt::format("must be an array of {} numbers", count));
     std::vector<double> result;
     for (const Json& value : array) result.push_back(as_number(value, key));
     return result;
@@ -133,7 +132,7 @@ void put_balls(const Reader& a, int& balls, int fewest, int most) {
   double number = 0.0;
   a("balls", number);
   if (!(number >= fewest && number <= most && number == std::floor(number)))
-    a.fail("balls", fmt::format(words::reports::must_be_whole, fewest, most));
+    a.fail("balls", fmt::format("must be a whole number from {} to {}", fewest, most));
   balls = static_cast<int>(number);
 }
 
@@ -248,15 +247,16 @@ void member_entries(Archive& a, AnyCertificate& c) {
 // The file's object. It must hold at least one certificate of either kind.
 Json file_from(const std::string& text, const std::string& where) {
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw InputError(where, "", "", words::reports::not_json);
+  if (json.is_discarded())
+    throw InputError(where, "", "", "is not JSON; must be a file written by equipoise certify -o");
   if (!json.is_object() || json.value("format", Json()) != format_name)
-    throw InputError(where, "format", "", fmt::format(words::reports::must_be_format, format_name));
+    throw InputError(where, "format", "", fmt::format("must be \"{}\"", format_name));
   const auto count = [&](const char* key) {
     const auto list = json.find(key);
     return list != json.end() && list->is_array() ? list->size() : 0;
   };
   if (count("certificates") + count("members") == 0)
-    throw InputError(where, "certificates", "", words::reports::must_hold_a_certificate);
+    throw InputError(where, "certificates", "", "must be an array of at least one certificate");
   return json;
 }
 
@@ -270,7 +270,7 @@ std::vector<AnyCertificate> list_from(const Json& file, const char* key, const s
   std::vector<AnyCertificate> result;
   const auto list = file.find(key);
   if (list == file.end()) return result;
-  if (!list->is_array()) throw InputError(where, key, "", words::reports::must_be_array);
+  if (!list->is_array()) throw InputError(where, key, "", "must be an array");
   for (const Json& entry : *list) {
     const Reader reader(entry, where, fmt::format("{}[{}]", key, result.size()));
     entries(reader, result.emplace_back());

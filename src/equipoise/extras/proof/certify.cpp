@@ -14,10 +14,8 @@
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/proved_regions/tilt_proof.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -51,27 +49,30 @@ void prove_members(const model::System& system, const RunOptions& options, Certi
   constexpr std::size_t drawn = 64;
   const model::Parameters& p = system.parameters();
   if (p.balls < 3 || !system.plain()) {
-    result.note = p.tilts() ? tilt_refusal(system) : words::proof::for_plain_continuum;
+    result.note = p.tilts() ? tilt_refusal(system)
+                            : "the balanced states form a continuum; proofs about one are for three balls or more, at "
+                              "a prescribed speed, in a centred race";
     return;
   }
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
   const auto report = [&] {
-    if (options.progress) options.progress({result.members.size(), drawn, words::runs::balanced_states, {}});
+    if (options.progress) options.progress({result.members.size(), drawn, "balanced states", {}});
   };
   report();
   while (result.members.size() < drawn && !is_set(options.stop) && draws.next(phi)) {
     MemberProof proof;
     proof.certificate = prove_member(p, system.speed(), phi.data());
-    proof.check = proof.certificate.radius > 0.0 ? check_member(proof.certificate)
-                                                 : CertificateResult{false, words::proof::nothing_proved};
+    proof.check = proof.certificate.radius > 0.0
+                      ? check_member(proof.certificate)
+                      : CertificateResult{false, "neither attraction nor instability could be proved"};
     proof.growth = across_continuum(p, system.speed(), phi.data());
     result.members.push_back(std::move(proof));
     report();
   }
   result.partial = is_set(options.stop);
   if (!result.partial && !result.members.empty() && result.attracting() == 0)
-    result.note = fmt::format(words::proof::none_drawn_attracts, system.speed());
+    result.note = fmt::format("no member of the continuum that was drawn attracts at speed {}", system.speed());
 }
 
 CertifyResult proofs(const Study& study, const RunOptions& options) {
@@ -87,14 +88,14 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
   const BalancedAnalysis analysis = analyse_balanced(system, options.stop);
   result.note = analysis.note;
   if (p.balls > 2 && !p.tilts()) {
-    result.note = words::proof::for_one_or_two;
+    result.note = "proofs are for one or two balls";
     return result;
   }
   const bool copies = p.balls == 2 && p.equal_balls() && analysis.regions.size() == 2;
   const auto stopped = [&] { return is_set(options.stop); };
   const std::size_t states = copies ? 1 : analysis.regions.size();
   const auto report = [&] {
-    if (options.progress) options.progress({result.states.size(), states, words::runs::balanced_states, {}});
+    if (options.progress) options.progress({result.states.size(), states, "balanced states", {}});
   };
   report();
   while (result.states.size() < states && !stopped()) {

@@ -13,7 +13,6 @@
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -26,7 +25,7 @@ std::vector<std::string> variable_names(const model::System& system) {
 }
 
 std::string boxes_text(const Certificate& c) {
-  return c.parameters.tilts() ? words::reports::one_box : fmt::format(words::reports::boxes, c.boxes.size());
+  return c.parameters.tilts() ? "one box" : fmt::format("{} boxes", c.boxes.size());
 }
 
 // A matrix whose rows and columns have these names, in blocks of so many columns as fit.
@@ -57,18 +56,18 @@ std::string state_text(const StateProof& s, const model::System& system, const T
   const int balls = system.balls();
   std::string angles;
   for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
-  std::string text = fmt::format(words::reports::balanced_state, angles);
-  if (s.copies > 1) text += words::reports::copy_has_same_proof;
+  std::string text = fmt::format("balanced state {}", angles);
+  if (s.copies > 1) text += "; its exchange copy (equal balls) has the same proof";
   text += "\n";
-  if (c.level == 0.0) return lines_filled(text + fmt::format(words::reports::not_proved, s.check.reason), style);
+  if (c.level == 0.0) return lines_filled(text + fmt::format("  not proved: {}\n", s.check.reason), style);
   const double share = 100.0 * c.level / s.critical;
-  text += fmt::format(words::reports::proved, c.level,
-                      c.parameters.tilts() ? fmt::format("{:.2g}", share) : fmt::format("{:.1f}", share));
-  text += words::reports::reach;
+  text += fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {} % of the sampled critical level\n",
+                      c.level, c.parameters.tilts() ? fmt::format("{:.2g}", share) : fmt::format("{:.1f}", share));
+  text += "  reach of V <= c:";
   const std::vector<std::string> names = variable_names(system);
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
-  text += fmt::format(words::reports::boxes_checked, boxes_text(c), s.seconds, s.check_seconds,
+  text += fmt::format("  {}, found in {:.3f} s; re-check in {:.3f} s: {}\n", boxes_text(c), s.seconds, s.check_seconds,
                       s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
   return lines_filled(text, style) + matrix_text(c.form, names, style);
 }
@@ -81,8 +80,10 @@ std::string angles_text(const MemberCertificate& c) {
 std::string members_text(const CertifyResult& r) {
   if (r.members.empty()) return "";
   const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
-  std::string text =
-      fmt::format(words::reports::members_proved, drawn, attracting, unstable, drawn - attracting - unstable);
+  std::string text = fmt::format(
+      "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that "
+      "comes close, {} to be unstable, {} neither\n",
+      drawn, attracting, unstable, drawn - attracting - unstable);
   const MemberProof *widest = nullptr, *fastest = nullptr;
   for (const MemberProof& m : r.members) {
     if (!m.check.proved) continue;
@@ -90,10 +91,13 @@ std::string members_text(const CertifyResult& r) {
     if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
   }
   if (widest)
-    text += fmt::format(words::reports::member_attracts, angles_text(widest->certificate),
-                        0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
-  if (fastest) text += fmt::format(words::reports::member_unstable, angles_text(fastest->certificate), fastest->growth);
-  return text + words::reports::others_not_proved;
+    text += fmt::format(
+        "  attracts: {}; balls within {:.3g} rad of that and V <= {:.3g} lead to balance (rate {:.4g})\n",
+        angles_text(widest->certificate), 0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest)
+    text += fmt::format("  unstable: {}; leads away from the set (growth rate {:.4g})\n",
+                        angles_text(fastest->certificate), fastest->growth);
+  return text + "  nothing is proved of members that were not drawn\n";
 }
 
 Json state_json(const StateProof& s, const model::System& system) {
@@ -113,10 +117,13 @@ Json state_json(const StateProof& s, const model::System& system) {
 std::string certify_text(const CertifyResult& r, const TextStyle& style) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, rotor_speed_text(r.study, r.speed));
   if (!r.note.empty())
-    text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", note_text(r.study, r.note));
+    text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", note_text(r.study, r.note));
   text = lines_filled(text, style);
   for (const StateProof& s : r.states) text += state_text(s, r.study.system(), style);
-  return text + lines_filled(members_text(r) + (r.partial ? words::reports::partial_proofs : ""), style);
+  return text +
+         lines_filled(members_text(r) +
+                          (r.partial ? "PARTIAL: stopped; what is not proved above was not tried to the end.\n" : ""),
+                      style);
 }
 
 std::string certify_json(const CertifyResult& r) {
@@ -139,13 +146,13 @@ std::string check_text(const CertificateFile& file, const TextStyle& style) {
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
-    text += fmt::format(words::reports::certificate_line, c.speed, c.motor ? words::reports::by_a_motor : "", balls,
+    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {}: {}\n", c.speed, c.motor ? " by a motor" : "", balls,
                         plural(balls), c.level, boxes_text(c),
                         file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
   }
   for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
     const MemberCertificate& c = file.members[i];
-    text += fmt::format(words::reports::member_line, c.speed, c.parameters.balls, angles_text(c),
+    text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
                         c.attracts ? "attracts" : "unstable",
                         file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
   }

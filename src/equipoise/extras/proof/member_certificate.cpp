@@ -14,7 +14,7 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/classification/proved_regions/level_proof.hpp"
-#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/classification/start_runs/words.hpp"
 
 namespace equipoise {
 
@@ -140,18 +140,18 @@ bool escapes(const MemberCertificate& c) {
 CertificateResult verify(const MemberCertificate& c, double spare) {
   const int rows = rows_of(c.parameters);
   if (c.form.rows() != rows || c.form.cols() != rows || !c.form.allFinite() || c.form != c.form.transpose())
-    return {false, words::proof::member_form_size};
-  if (!(c.radius > 0.0 && c.radius < 1.0)) return {false, words::proof::radius_range};
+    return {false, "the form does not fit the number of balls"};
+  if (!(c.radius > 0.0 && c.radius < 1.0)) return {false, "the radius must be greater than 0 and less than 1"};
   if (c.attracts) {
     const Interval fastest = Interval(c.rate) * Interval(0.5 * c.radius);
-    if (!(c.rate > 0.0) || !bounded_below(c)) return {false, words::proof::not_definite};
+    if (!(c.rate > 0.0) || !bounded_below(c)) return {false, "V is not positive definite"};
     if (!(c.level > 0.0 && c.level <= (Interval(c.least) * square(fastest)).low))
-      return {false, words::proof::level_not_allowed};
+      return {false, "the level is not what rate and radius allow"};
     return falls(c, fastest.high, spare) ? CertificateResult{true, ""}
                                          : CertificateResult{false, words::proof::no_decrease_in_box};
   }
-  if (c.rate != 0.0 || !escapes(c)) return {false, words::proof::no_escape};
-  if (!holds_balance(c)) return {false, words::proof::no_state_in_box};
+  if (c.rate != 0.0 || !escapes(c)) return {false, "V is not negative in the direction of escape"};
+  if (!holds_balance(c)) return {false, "no balanced state was found in the box"};
   return falls(c, c.radius, spare) ? CertificateResult{true, ""}
                                    : CertificateResult{false, words::proof::no_decrease_in_box};
 }
@@ -180,11 +180,11 @@ MemberCertificate with_radius(MemberCertificate c, double largest, double smalle
 }
 
 std::string refusal(const model::Parameters& p, double speed) {
-  if (p.balls < 3 || p.balls > most) return words::proof::needs_three_balls;
-  if (!p.isotropic()) return words::proof::needs_equal_supports;
-  if (p.gravity != 0.0) return words::proof::needs_no_gravity;
-  if (!p.race_is_centred()) return words::proof::needs_centred_race;
-  if (p.balls_collide() || p.balls_stick()) return words::proof::needs_passing_balls;
+  if (p.balls < 3 || p.balls > most) return "proofs about a continuum are for three balls or more";
+  if (!p.isotropic()) return "proofs need supports that are equal in x and y";
+  if (p.gravity != 0.0) return "proofs need gravity 0";
+  if (!p.race_is_centred()) return "proofs about a continuum need a centred race";
+  if (p.balls_collide() || p.balls_stick()) return "proofs need balls that pass each other and do not stick";
   if (!std::isfinite(speed)) return words::proof::speed_is_finite;
   return "";
 }

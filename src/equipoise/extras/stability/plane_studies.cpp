@@ -13,7 +13,7 @@
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
-#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"

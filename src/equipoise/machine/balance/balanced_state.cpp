@@ -10,7 +10,7 @@
 #include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
+#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -24,7 +24,7 @@ BalancedStates balanced_states(const Parameters& p) {
   BalancedStates result;
   const double lambda = p.eccentricity, total = p.total_mass();
   if (p.gravity != 0.0) {
-    result.reason = words::mechanics::gravity_moves_balls;
+    result.reason = "gravity keeps the balls moving in the rotating frame";
     return result;
   }
   if (p.tilts()) return tilt_balanced_states(p);
@@ -33,8 +33,8 @@ BalancedStates balanced_states(const Parameters& p) {
   const double slack = lambda + total - 2.0 * largest;
   if (slack < -equal_within * (lambda + total)) {
     result.reason = p.balls == 1        ? words::mechanics::lone_ball
-                    : lambda == largest ? words::mechanics::unbalance_too_large
-                                        : words::mechanics::one_ball_outweighs;
+                    : lambda == largest ? "the unbalance is larger than all balls together can cancel"
+                                        : "one ball outweighs the unbalance and the other balls together";
     return result;
   }
   if (p.balls_collide()) {
@@ -146,11 +146,12 @@ BalancedStates balanced_states(const System& system, double coasting) {
   const std::optional<double> speed = system.coasts() ? std::optional(coasting) : balanced_speed(system);
   BalancedStates none;
   if (!speed)
-    none.reason = words::mechanics::no_speed_is_held;
+    none.reason =
+        "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
   else if (*speed == 0.0 && !(system.prescribed() && system.parameters().race_is_centred()))
-    none.reason = words::mechanics::comes_to_rest;
+    none.reason = "the rotor comes to rest: nothing balances it";
   else if (system.coasts() && !system.parameters().race_is_centred())
-    none.reason = words::mechanics::race_off_centre;
+    none.reason = "with the race off centre the supports' damping slows a coasting rotor: no speed is held";
   if (!none.reason.empty()) return none;
   const CentredTwin twin = centred_twin(system.parameters(), *speed);
   BalancedStates states = balanced_states(twin.parameters);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
+#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -211,12 +211,12 @@ bool Cancelling::cancels(double unbalance) const {
 }
 
 const char* Cancelling::why_not(double unbalance) const {
-  if (!fit()) return words::mechanics::balls_do_not_fit;
+  if (!fit()) return "the balls do not fit into the race";
   if (lone) return words::mechanics::lone_ball;
-  if (!all_tried) return words::mechanics::no_order_found;
-  if (unbalance > most()) return words::mechanics::cancel_less_side_by_side;
-  if (unbalance < least()) return words::mechanics::no_room_to_cancel_little;
-  return words::mechanics::no_order_cancels;
+  if (!all_tried) return "of many orders of these balls in the race, none that was tried cancels just the unbalance";
+  if (unbalance > most()) return "balls of this size, side by side, cancel less than the unbalance";
+  if (unbalance < least()) return "balls of this size have no room to cancel as little as the unbalance";
+  return "no order of these balls in the race cancels just the unbalance";
 }
 
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {

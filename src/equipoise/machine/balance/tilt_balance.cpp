@@ -12,7 +12,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
 
 namespace equipoise::model {
 
@@ -123,7 +122,8 @@ BalancedStates searched(const Parameters& p) {
     result.kind = BalancedStates::Kind::isolated;
     if (std::none_of(result.angles.begin(), result.angles.end(), same)) result.angles.push_back(phi);
   }
-  if (result.kind == BalancedStates::Kind::none) result.reason = words::mechanics::no_angles_cancel_both;
+  if (result.kind == BalancedStates::Kind::none)
+    result.reason = "no angles of the balls were found that cancel the static and the couple unbalance together";
   return result;
 }
 
@@ -135,7 +135,7 @@ BalancedStates tilt_balanced_states(const Parameters& p) {
   if (races.empty() && planes_of(p).size() > 1) return searched(p);
   BalancedStates result;
   if (races.empty()) {
-    result.reason = words::mechanics::one_plane_leaves_couple;
+    result.reason = "the balls run in one plane, and not all of the unbalance lies in it: a couple stays";
     return result;
   }
   result.kind = Kind::isolated;
@@ -144,7 +144,7 @@ BalancedStates tilt_balanced_states(const Parameters& p) {
     const BalancedStates own = balanced_states(race.rotor);
     if (own.kind == Kind::none) {
       result = {};
-      result.reason = races.size() > 1 ? words::mechanics::plane_cannot_cancel + own.reason : own.reason;
+      result.reason = races.size() > 1 ? "of the share of one plane, " + own.reason : own.reason;
       return result;
     }
     if (own.kind == Kind::continuum) result.kind = Kind::continuum;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/machine/drives/speed.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
+#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -15,7 +15,7 @@ namespace equipoise::model {
 template <class Shown>
 std::string never_reached(const SpeedProfile& profile, Shown&& shown) {
   const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
-  return fmt::format(words::mechanics::speed_never_reached, shown(*low), shown(*high));
+  return fmt::format("the ramp function never reaches it; must be from {} to {}", shown(*low), shown(*high));
 }
 
 }  // namespace equipoise::model

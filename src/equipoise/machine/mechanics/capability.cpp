@@ -3,8 +3,6 @@
 
 #include <cstddef>
 
-#include "equipoise/machine/words/mechanics.hpp"
-
 namespace equipoise::model {
 
 namespace {
@@ -40,25 +38,25 @@ bool offers(const System& system, Need need) {
 const char* words(Need need) {
   switch (need) {
     case Need::prescribed_speed:
-      return words::mechanics::prescribed_speed;
+      return "a prescribed speed";
     case Need::passing_balls:
-      return words::mechanics::passing_balls;
+      return "balls that pass each other, 0 or contact = false";
     case Need::sliding_balls:
-      return words::mechanics::sliding_balls;
+      return "balls without rolling resistance or stiction, 0";
     case Need::centred_race:
-      return words::mechanics::centred_race;
+      return "a centred race, [0, 0]";
     case Need::equal_supports:
-      return words::mechanics::equal_supports;
+      return "equal values in x and y";
     case Need::no_gravity:
-      return words::mechanics::no_gravity;
+      return "gravity 0";
     case Need::no_tilt:
-      return words::mechanics::no_tilt;
+      return "a rotor that does not tilt, without rotor.tilt";
     case Need::turning:
-      return words::mechanics::turning;
+      return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
     case Need::linear_torque:
-      return words::mechanics::linear_torque;
+      return "a motor whose torque is linear in the speed, without a load";
     default:
-      return words::mechanics::lasting_drive;
+      return "a drive that lasts";
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
+#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -20,7 +20,8 @@ inline std::optional<double> sustained_speed(const System& system) {
 }
 
 /// Message about a motor that holds no speed, to follow "the" or "the motor's".
-inline constexpr const char* holds_no_speed = words::mechanics::holds_no_speed;
+inline constexpr const char* holds_no_speed =
+    "last torque never ends, and a balanced rotor needs none: no speed is held";
 
 /// Whether the motor's last torque acts for good and holds no speed: a balanced rotor then speeds up without end.
 inline bool speeds_up_for_ever(const System& system) {

@@ -11,7 +11,6 @@
 
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/answers.hpp"
 
 namespace equipoise {
 
@@ -20,17 +19,19 @@ namespace {
 // Bounds that hold whatever undecided starts come to, if those could change the interval.
 std::string surely(const Share& s) {
   const bool wider = s.least < s.low || s.most > s.high;
-  return wider ? fmt::format(words::answers::surely, 100.0 * s.least, digits_for(s), percent(s.most, digits_for(s)))
+  return wider ? fmt::format(", bounds {:.{}f} to {}", 100.0 * s.least, digits_for(s), percent(s.most, digits_for(s)))
                : "";
 }
 
 std::string balance_words(const BasinResult& r) {
   const OutcomeShare& balanced = r.attractors.front();
   const Share& s = balanced.share;
-  if (s.count == 0) return fmt::format(words::answers::none_balanced, r.starts, share_words(s), surely(s));
+  if (s.count == 0)
+    return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
+                       surely(s));
   const bool plain = balanced.name == "balanced";  // otherwise held by friction
-  return fmt::format(words::answers::ends_in, plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s),
-                     surely(s));
+  return fmt::format("The rotor ends {} in {} of starts (95 % confidence{})",
+                     plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s), surely(s));
 }
 
 std::string limit_words(const BasinResult& r) {
@@ -38,7 +39,7 @@ std::string limit_words(const BasinResult& r) {
   std::string text;
   for (const ToldLimit& limit : told_limits(r.study))
     if (const auto& exceeded = r.transients->groups.front().exceeded[limit.place])
-      text += fmt::format(words::answers::limit_in, limit.words, share_words(*exceeded));
+      text += fmt::format("; {} in {}", limit.words, share_words(*exceeded));
   return text;
 }
 
@@ -49,8 +50,9 @@ std::string bare_answer(const BasinResult& r) {
   const auto figure = [&](float TransientRow::*value) {
     return shown.text(g.figure(value).quantiles[0].value, *transient_figures[figure_place(value)].dimension);
   };
-  return fmt::format(words::answers::no_balls, figure(&TransientRow::peak_radial), figure(&TransientRow::rms_velocity),
-                     r.without_balls->bare.one ? "" : words::answers::in_the_median);
+  return fmt::format("There are no balls: the rotor's peak displacement is {}, and its RMS velocity at the end {}{}.",
+                     figure(&TransientRow::peak_radial), figure(&TransientRow::rms_velocity),
+                     r.without_balls->bare.one ? "" : ", in the median");
 }
 
 std::string point_words(const Share& s) { return percent(s.share, digits_for(s)); }
@@ -59,9 +61,9 @@ std::string point_words(const Share& s) { return percent(s.share, digits_for(s))
 
 std::string share_words(const Share& s) {
   const int digits = digits_for(s);
-  if (s.total == 0) return words::answers::unknown_share;
-  if (s.count == 0) return words::answers::less_than + percent(s.high, digits);
-  if (s.count == s.total) return words::answers::more_than + percent(s.low, digits);
+  if (s.total == 0) return "an unknown share";
+  if (s.count == 0) return "less than " + percent(s.high, digits);
+  if (s.count == s.total) return "more than " + percent(s.low, digits);
   return interval(s);
 }
 
@@ -87,21 +89,19 @@ std::string after_what_is_drawn(std::vector<std::string> keys, std::string sente
   const std::string last = keys.back();
   keys.pop_back();
   sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
-  return fmt::format(words::answers::drawn_anew, fmt::join(keys, ", "), keys.empty() ? "" : words::answers::and_last,
+  return fmt::format("With {}{}{} drawn anew for every start, {}", fmt::join(keys, ", "), keys.empty() ? "" : " and ",
                      last, sentence);
 }
 
 std::string answer_sentence(const BasinResult& r) {
   if (r.study.parameters.balls == 0 && r.without_balls) return bare_answer(r);
-  if (r.starts == 0 || r.attractors.empty()) return words::answers::no_start_decided;
+  if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
   std::string text = balance_words(r);
-  if (r.stalled && r.stalled->count > 0)
-    text += fmt::format(words::answers::never_up_to_speed, share_words(*r.stalled));
+  if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
   text += limit_words(r);
-  if (r.undecided.count > 0) text += fmt::format(words::answers::stay_undecided, point_words(r.undecided));
+  if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
   if (const std::uint64_t lost = r.lost(); lost > 0)
-    text += fmt::format(words::answers::not_followed,
-                        lost == 1 ? words::answers::one_start : fmt::format(words::answers::some_starts, lost));
+    text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
   return after_what_is_drawn(drawn_keys(r.study), text + ".");
 }
 

@@ -8,19 +8,20 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/decision/below_resonance.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/decision.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 
 namespace equipoise {
 
 namespace {
 
-constexpr std::string_view all_kept = words::design::all_kept;
+constexpr char no_end[] = "no end";
+
+constexpr std::string_view all_kept = "All requirements are kept: ";
 
 using words::design::Thing;
 
@@ -47,11 +48,9 @@ std::string balls_chosen(const Study& study, const std::vector<DesignSetting>& s
   std::string number = of("balancer.balls"), size = of("balancer.ball_diameter");
   if (number.empty() && size.empty() && of("balancer.mass").empty()) return "";
   if (number.empty()) number = fmt::format("{}", study.parameters.balls);
-  if (size.empty() && !of("balancer.mass").empty())
-    size = of("balancer.mass") + (study.scales ? "" : words::design::as_mass);
+  if (size.empty() && !of("balancer.mass").empty()) size = of("balancer.mass") + (study.scales ? "" : " (mass)");
   if (size.empty()) size = own_size(study);
-  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : words::design::of_size,
-                     size);
+  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : " of ", size);
 }
 
 std::string shown(const DesignMargin& m, double value) { return fmt::format("{}{:.4g}", m.prefix, value); }
@@ -68,16 +67,16 @@ std::string margins_words(const DesignResult& r) {
   for (const DesignMargin& m : r.margins) {
     if (!has_ends(m) || (m.fails_below.empty() && m.fails_above.empty())) continue;
     const std::string unit = m.unit.empty() ? "" : " " + m.unit;
-    if (told++ == most_told) return words + words::design::others_below;
+    if (told++ == most_told) return words + "; and others below";
     words += fmt::format("{}{} ", words.empty() ? "" : "; ", thing_of(m.key));
     if (m.keeps_from == m.keeps_to && !m.fails_below.empty() && !m.fails_above.empty())
-      words += fmt::format(words::design::only, shown(m, m.value), unit);
+      words += fmt::format("{}{} only", shown(m, m.value), unit);
     else if (m.fails_above.empty())
-      words += fmt::format(words::design::or_more, shown(m, m.keeps_from), unit);
+      words += fmt::format("{}{} or more", shown(m, m.keeps_from), unit);
     else if (m.fails_below.empty())
-      words += fmt::format(words::design::or_less, shown(m, m.keeps_to), unit);
+      words += fmt::format("{}{} or less", shown(m, m.keeps_to), unit);
     else
-      words += fmt::format(words::design::from_to, shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
+      words += fmt::format("{} to {}{}", shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
   }
   return words;
 }
@@ -116,20 +115,19 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
   if (words.empty()) return figure.name;
   if (dot == std::string::npos) return words;
   const double percents = 100.0 * number_in(figure.name.substr(dot + 1));
-  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : words::design::of_starts_below);
+  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : " of starts below");
 }
 
 std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
   std::string text;
-  if (limit.below) text = words::design::below + estimate_text(figure, *limit.below);
-  if (limit.above)
-    text += (text.empty() ? words::design::above : words::design::and_above) + estimate_text(figure, *limit.above);
+  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
+  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
   return text;
 }
 
 std::string estimate_text(const DesignFigure& figure, double value) {
-  if (std::isnan(value)) return words::design::not_stated;
-  if (!std::isfinite(value)) return words::design::no_end;
+  if (std::isnan(value)) return "not stated";
+  if (!std::isfinite(value)) return no_end;
   if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
   return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
 }
@@ -144,8 +142,8 @@ std::string estimate_with_interval(const DesignFigure& figure, const DesignEstim
     share.high = e.high;
     return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
   }
-  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : words::design::no_end;
-  return fmt::format(words::design::with_interval, estimate_text(figure, e.value), e.low, high);
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : no_end;
+  return fmt::format("{} ({:.3g} to {})", estimate_text(figure, e.value), e.low, high);
 }
 
 std::string setting_text(const StudyValue& value) {
@@ -156,7 +154,7 @@ std::string setting_text(const StudyValue& value) {
   if (!times || !speeds) return fmt::format("{:.6g}", value.number());
   std::string text;
   for (std::size_t k = 0; k < times->array()->size(); ++k)
-    text += fmt::format(words::design::speed_at_time, k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
+    text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
                         setting_text((*times->array())[k]));
   return text;
 }
@@ -164,14 +162,14 @@ std::string setting_text(const StudyValue& value) {
 std::string margin_name(const std::string& key) {
   const std::string_view times = "speed.times[", speeds = "speed.speeds[";
   const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
-  if (key.starts_with(times)) return words::design::time_of_point + place(times);
-  if (key.starts_with(speeds)) return words::design::speed_of_point + place(speeds);
+  if (key.starts_with(times)) return "time of point " + place(times);
+  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
   return key;
 }
 
 std::string design_answer(const DesignResult& r) {
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return r.partial ? words::design::stopped_before_a_candidate : words::design::no_candidate;
+    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& sample = best.best_known();
   std::string text;
@@ -181,19 +179,19 @@ std::string design_answer(const DesignResult& r) {
   std::string before;
   if (r.before && !r.before->figures.empty() && !best.as_it_is)
     before = fmt::format(
-        words::design::as_it_is, r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
+        "; as it is {}{}", r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
         estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
   if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : all_kept, text, before);
   std::string missed;
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
     if (surely_keeps(limit, e)) continue;
-    missed += fmt::format(words::design::must_be, missed.empty() ? "" : "; ",
+    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : "; ",
                           figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit),
-                          keeps(limit, e.value) ? words::design::not_surely_but_likely : words::design::at_best,
+                          keeps(limit, e.value) ? "likely, but not shown: " : "at best ",
                           estimate_with_interval(r.figures[limit.figure], e));
   }
-  return fmt::format(words::design::not_all_kept, missed, text, before);
+  return fmt::format("No candidate keeps all requirements: {}. The nearest has {}{}.", missed, text, before);
 }
 
 std::string thing_of(const std::string& key) {
@@ -220,31 +218,34 @@ std::string things_chosen(const Study& study, const std::vector<DesignSetting>& 
 DesignVerdict design_verdict(const DesignResult& r) {
   if (r.leave_out)
     return {fmt::format(words::text::leave_out, below_resonance_words(r.study)), words::decision::by_linear_theory,
-            words::design::nothing_to_choose};
+            "There is nothing to choose."};
   DesignVerdict verdict;
   const std::string partial = r.partial ? "PARTIAL: " : "";
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return {design_answer(r), words::design::none_followed, words::design::not_known};
+    return {design_answer(r), "No candidate was followed to its end.",
+            "Not known. A longer --within, or fewer values to choose from, may tell more."};
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
   const std::string things = best.as_it_is ? words::design::as_given : things_chosen(r.study, best.settings);
   const bool alone = r.limits.empty();
   if (best.as_it_is ? r.feasible : as_good_before(r, now))
-    verdict.words = fmt::format(words::design::leave_as_it_is, partial, alone ? "" : words::design::keeps_all_and,
-                                best.as_it_is ? "" : fmt::format(words::design::best_found, things));
+    verdict.words = fmt::format("{}Leave it as it is: {}nothing found is shown to be better.{}", partial,
+                                alone ? "" : "it keeps all requirements, and ",
+                                best.as_it_is ? "" : fmt::format(" Best found: {}.", things));
   else if (r.feasible)
-    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : words::design::all_are_kept);
+    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : ": all requirements are kept");
   else
-    verdict.words = fmt::format(words::design::nearest, partial, things);
+    verdict.words = fmt::format("{}Nothing tried is shown to keep all requirements; nearest: {}.", partial, things);
   verdict.because = design_answer(r);
   if (verdict.because.starts_with(all_kept)) verdict.because.erase(0, all_kept.size());  // the verdict says so
   if (r.margins.empty()) {
-    verdict.margins = best.as_it_is && !r.partial ? words::design::states_no_number : words::design::margins_unknown;
+    verdict.margins = best.as_it_is && !r.partial
+                          ? "The study states none of these numbers, so that none was changed alone."
+                          : "How far each number may be off was not worked out: time ran out.";
   } else {
     const std::string words = margins_words(r);
-    verdict.margins = words.empty()
-                          ? words::design::nothing_misses
-                          : words + (alone ? words::design::surely_no_worse : words::design::requirements_kept);
+    verdict.margins = words.empty() ? "Each number was changed alone: no value tried fails what the design keeps."
+                                    : words + (alone ? ": shown to be no worse." : ": requirements kept.");
   }
   return verdict;
 }

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/words/answers.hpp"
 
 namespace equipoise {
 
@@ -45,22 +44,22 @@ std::string page_number(double value) {
 
 std::string key_words(const std::string& key) {
   constexpr std::array<std::pair<const char*, const char*>, 12> known{{{"speed.final", "final speed"},
-                                                                      {"speed.speed", "final speed"},
-                                                                      {"rotor.unbalance", "unbalance"},
-                                                                      {"rotor.eccentricity", "eccentricity"},
-                                                                      {"balancer.mass", "ball mass"},
-                                                                      {"balancer.drag", "ball drag"},
-                                                                      {"balancer.balls", "balls"},
-                                                                      {"speed.torque.stall", "stall torque"},
-                                                                      {"speed.torque.no_load_speed", "no-load speed"},
-                                                                      {"speed.load.constant", "constant load"},
-                                                                      {"speed.load.linear", "linear load"},
-                                                                      {"speed.load.quadratic", "quadratic load"}}};
+                                                                       {"speed.speed", "final speed"},
+                                                                       {"rotor.unbalance", "unbalance"},
+                                                                       {"rotor.eccentricity", "eccentricity"},
+                                                                       {"balancer.mass", "ball mass"},
+                                                                       {"balancer.drag", "ball drag"},
+                                                                       {"balancer.balls", "balls"},
+                                                                       {"speed.torque.stall", "stall torque"},
+                                                                       {"speed.torque.no_load_speed", "no-load speed"},
+                                                                       {"speed.load.constant", "constant load"},
+                                                                       {"speed.load.linear", "linear load"},
+                                                                       {"speed.load.quadratic", "quadratic load"}}};
   for (const auto& [name, words] : known)
     if (key == name) return words;
   constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";
-  if (key.starts_with(rate)) return words::answers::initial_rate + key.substr(rate.size());
-  if (key.starts_with(angle)) return words::answers::initial_angle + key.substr(angle.size());
+  if (key.starts_with(rate)) return "initial rate of ball " + key.substr(rate.size());
+  if (key.starts_with(angle)) return "initial angle of ball " + key.substr(angle.size());
   std::string words = key;
   std::replace_if(
       words.begin(), words.end(), [](char c) { return c == '.' || c == '_'; }, ' ');

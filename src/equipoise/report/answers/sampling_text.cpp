@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/words/text.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 
 namespace equipoise {
@@ -39,21 +38,26 @@ std::string points_text(const BasinResult& r) {
 
 std::string choice_text(const BasinResult& r) {
   const SamplingChoice& c = *r.choice;
-  if (c.pilot == 0) return fmt::format(words::text::random_needs_few, rounded(c.random_starts, 3));
+  if (c.pilot == 0)
+    return fmt::format(
+        "Sampling: random starts, in blocks; this half-width needs at most {}, too few for a pilot of Sobol starts.\n",
+        rounded(c.random_starts, 3));
   if (c.method == SamplingMethod::random)
-    return fmt::format(words::text::random_needs_about, rounded(c.random_starts, 3), rounded(c.sobol_starts, 3),
-                       grouped(static_cast<double>(c.pilot)));
-  return fmt::format(words::text::sobol_needs_about, points_text(r), rounded(c.random_starts, 3));
+    return fmt::format("Sampling: random, about {} starts needed; Sobol starts would need {}, says a pilot of {}.\n",
+                       rounded(c.random_starts, 3), rounded(c.sobol_starts, 3), grouped(static_cast<double>(c.pilot)));
+  return fmt::format("Sampling: scrambled Sobol, {} starts; random starts would have needed about {}.\n",
+                     points_text(r), rounded(c.random_starts, 3));
 }
 
 std::string grid_text(const BasinResult& r) {
   const JitteredGrid& g = *r.grid;
-  std::string text = fmt::format(words::text::jittered_grid, grouped(static_cast<double>(g.side())),
-                                 r.study.parameters.balls == 1 ? "" : fmt::format("^{}", r.study.parameters.balls));
+  std::string text =
+      fmt::format("Sampling: jittered grid, {}{} cells, two starts a cell", grouped(static_cast<double>(g.side())),
+                  r.study.parameters.balls == 1 ? "" : fmt::format("^{}", r.study.parameters.balls));
   text += ".\n";
   if (g.exchange() && r.study.parameters.balls > 1)
-    text +=
-        fmt::format(words::text::cells_stand_for_all, grouped(static_cast<double>(g.cells())), grouped(g.all_cells()));
+    text += fmt::format("The balls are alike: {} cells stand for all {}, so shares are weighted, counts are not.\n",
+                        grouped(static_cast<double>(g.cells())), grouped(g.all_cells()));
   return text;
 }
 
@@ -72,18 +76,19 @@ std::string as_good_as(const Share& share) {
 
 std::string sampling_text(const BasinResult& r) {
   std::string text;
-  if (r.own_starts) return words::text::starts_given;
+  if (r.own_starts) return "Starts: given, not drawn; intervals are those of random starts.\n";
   if (method_of(r) == SamplingMethod::grid)
     text = grid_text(r);
   else if (r.choice)
     text = choice_text(r);
   else if (method_of(r) == SamplingMethod::sobol)
-    text = fmt::format(words::text::scrambled_sobol, points_text(r));
+    text = fmt::format("Sampling: scrambled Sobol, {} starts.\n", points_text(r));
   if (method_of(r) == SamplingMethod::random) return text;
-  text += method_of(r) == SamplingMethod::sobol ? fmt::format(words::text::intervals_by_replicates, sobol_replicates)
-                                                : std::string(words::text::intervals_by_cells);
-  if (falls_back(r)) text += words::text::wilson_at_a_dash;
-  return text + words::text::as_good_as_means;
+  text += method_of(r) == SamplingMethod::sobol
+              ? fmt::format("Intervals: Student's t over the {} independent replicates", sobol_replicates)
+              : std::string("Intervals: from the differences between the two starts of each cell");
+  if (falls_back(r)) text += "; Wilson's where the last column has a dash";
+  return text + ".\nAs good as: random starts that give the same standard error.\n";
 }
 
 Json sampling_json(const BasinResult& r) {

@@ -9,16 +9,15 @@
 
 #include "equipoise/machine/balance/coincident_balls.hpp"
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
 namespace {
 
 const char* held_by_default(Profile profile) {
-  if (profile == Profile::trapezoid) return words::text::end_of_the_rise;
-  if (profile == Profile::hill) return words::text::end_of_the_run_up;
-  return profile == Profile::points ? words::text::last_point_of_speed : words::text::end_of_the_ramp;
+  if (profile == Profile::trapezoid) return "the end of the rise";
+  if (profile == Profile::hill) return "the end of the run-up";
+  return profile == Profile::points ? "the last point of the speed" : "the end of the ramp";
 }
 
 std::string quantity(const Study& study, double value, study::Dimension d) {
@@ -31,9 +30,9 @@ std::string release_text(const Study& study) {
   const double until = study.release_time();
   if (!(until > 0.0)) return "";
   const auto speed = [&] { return quantity(study, *study.release.speed, study::Dimension::speed); };
-  if (std::isinf(until)) return words::text::held_until_speed + speed();
-  std::string text = words::text::held_until_time + quantity(study, until, study::Dimension::time);
-  if (study.release.speed) return text + words::text::at_speed + speed();
+  if (std::isinf(until)) return "balls held until the rotor comes to " + speed();
+  std::string text = "balls held until t = " + quantity(study, until, study::Dimension::time);
+  if (study.release.speed) return text + ", at speed " + speed();
   return study.release.time ? text : fmt::format("{}, {}", text, held_by_default(study.speed.profile));
 }
 
@@ -57,7 +56,8 @@ std::vector<std::string> drawn_instead(const Study& study) {
 std::string drawn_instead_text(const Study& study) {
   const std::vector<std::string> keys = drawn_instead(study);
   if (keys.empty()) return "";
-  return fmt::format(words::text::drawn_not_taken, fmt::join(keys, ", "));
+  return fmt::format("drawn with each start, not taken from the study: {}; simulate starts from there\n",
+                     fmt::join(keys, ", "));
 }
 
 std::string coincident_text(const Study& study) {
@@ -69,7 +69,9 @@ std::string coincident_text(const Study& study) {
       if (model::coincide(p, i, k, s.phi.data(), s.phi_dot.data()))
         pairs += fmt::format("{}balls {} and {}", pairs.empty() ? "" : ", ", k + 1, i + 1);
   if (pairs.empty()) return "";
-  return pairs + words::text::start_in_one_place;
+  return pairs +
+         " are alike and start in one place; computed exactly they would stay together, and real ones part: they are "
+         "set about 1e-9 rad apart";
 }
 
 }  // namespace equipoise

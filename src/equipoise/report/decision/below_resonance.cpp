@@ -8,7 +8,6 @@
 
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/text.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 
 namespace equipoise {
@@ -17,10 +16,11 @@ std::string below_resonance_words(const Study& study) {
   if (!runs_below_resonance(study)) return "";
   const auto critical = model::critical_speeds(study.parameters);
   // Balls that hang below the shaft gather nowhere.
-  const char* there =
-      study.parameters.gravity == 0.0 ? words::text::balls_add_to_unbalance : words::text::balls_cancel_nothing;
-  if (!study.uncertain.empty()) return fmt::format(words::text::below_resonance_whatever_is_drawn, there);
-  return fmt::format(words::text::below_resonance,
+  const char* there = study.parameters.gravity == 0.0 ? "balls gather on the heavy side and add to the unbalance"
+                                                      : "balls cancel no unbalance";
+  if (!study.uncertain.empty())
+    return fmt::format("the rotor runs below its critical speed with balls, whatever is drawn: there {}", there);
+  return fmt::format("the rotor runs at {}, below its critical speed of {} with balls: there {}",
                      rotor_speed_text(study, std::fabs(study.speed_profile().final_speed())),
                      rotor_speed_text(study, std::min(critical[0], critical[1])), there);
 }

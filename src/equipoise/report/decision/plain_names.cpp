@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "equipoise/report/words/decision.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 

@@ -16,11 +16,12 @@
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/decision.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char no_balls[] = "no balls";
 
 constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
 
@@ -65,33 +66,36 @@ std::optional<HandArm> hand_arm(const BasinResult& r, const Judged& j) {
 
 std::string hours_text(double acceleration, double value) {
   const double hours = standards::hours_to_exposure(acceleration, value);
-  return !(hours < 24.0) ? words::decision::over_a_day
+  return !(hours < 24.0) ? "over 24 h"
          : hours >= 1.0  ? fmt::format("{:.2g} h", hours)
-                         : fmt::format(words::decision::minutes, 60.0 * hours);
+                         : fmt::format("{:.2g} min", 60.0 * hours);
 }
 
 DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& study) {
-  DocumentTable table{{words::decision::hand_arm_vibration}};
+  DocumentTable table{{"hand-arm vibration"}};
   std::vector<double> columns;
   const auto add = [&](const char* title, double value) {
     table.header.emplace_back(title);
     columns.push_back(value);
   };
-  add(j.one ? words::decision::no_balls : "median", a.median);
-  if (!j.one) add(words::decision::ninety_below, a.ninety);
-  if (a.bare) add(words::decision::no_balls, *a.bare);
+  add(j.one ? no_balls : "median", a.median);
+  if (!j.one) add("90 % below", a.ninety);
+  if (a.bare) add(no_balls, *a.bare);
   const auto row = [&](const std::string& name, auto&& text) {
     table.rows.push_back({{name, Tone::plain, false, true}});
     for (const double value : columns) table.rows.back().push_back(number_cell(text(value)));
   };
   row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
-  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, words::decision::action_value},
-                                    std::pair{standards::exposure_limit_value, words::decision::limit_value}})
-    row(fmt::format(words::decision::work_until, value, name), [&, of = value](double v) { return hours_text(v, of); });
-  table.caption =
-      fmt::format(words::decision::hand_arm_caption, !study.parameters.tilts() ? words::decision::centre_of_race
-                                                     : study.bearings.empty()  ? words::decision::centre_of_mass
-                                                                               : words::decision::faster_bearing);
+  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, "action value"},
+                                    std::pair{standards::exposure_limit_value, "limit value"}})
+    row(fmt::format("work until A(8) is {} m/s2, the {}", value, name),
+        [&, of = value](double v) { return hours_text(v, of); });
+  table.caption = fmt::format(
+      "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate, not a declared value: the "
+      "handles move as {}, at the speed of rotation only.",
+      !study.parameters.tilts() ? "the race's centre"
+      : study.bearings.empty()  ? "the shaft at the centre of mass"
+                                : "the outermost bearing that moves faster");
   return table;
 }
 
@@ -108,23 +112,21 @@ std::string bare_zone(const BasinResult& r) {
 
 Block severity(const BasinResult& r, const Judged& j) {
   if (!j.all.beyond[0])
-    return Paragraph{fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, j.all),
-                                 standards::lowest_severity_frequency)};
+    return Paragraph{
+        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
+                    turns_a_second(r, j.all), standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
-  std::string caption =
-      fmt::format(words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
-                  has_directions(r.study) ? words::decision::larger_direction : words::decision::one_direction);
-  if (j.one) return Paragraph{words::decision::severity + caption};
-  DocumentTable table{{words::decision::severity_zone, words::decision::share_ends_there, words::decision::velocity},
-                      {},
-                      std::move(caption),
-                      false,
-                      {}};
-  constexpr const char* names[] = {words::decision::zone_a, words::decision::zones_a_and_b,
-                                   words::decision::zones_a_to_c};
+  std::string caption = fmt::format(
+      "Without balls: zone {}. Zones of ISO 10816-1:1995, class {} ({}), of {}. ISO 20816-1:2016 took its place; ISO "
+      "20816-3 begins at 15 kW.",
+      bare_zone(r), machine.name, machine.machines,
+      has_directions(r.study) ? "the direction that has more" : "one direction");
+  if (j.one) return Paragraph{"Severity: " + caption};
+  DocumentTable table{{"severity zone", "ends there", "RMS velocity"}, {}, std::move(caption), false, {}};
+  constexpr const char* names[] = {"A, as new", "A or B, for long operation", "A to C; D may damage"};
   for (std::size_t k = 0; k < zones; ++k)
     table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*j.all.beyond[k])),
-                                        fmt::format(words::decision::up_to, machine.boundaries[k])}));
+                                        fmt::format("to {} mm/s", machine.boundaries[k])}));
   return table;
 }
 
@@ -133,10 +135,12 @@ std::string sliding_text(const BasinResult& r, const Judged& j) {
   const TransientGroup& bare = r.without_balls->bare.figures;
   const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
   const std::string share =
-      j.one ? "" : fmt::format(words::decision::slides_in, share_with_interval(*j.all.beyond[sliding]));
-  return fmt::format(words::decision::may_slide, *r.study.standards.standing_mass * r.study.scales->mass,
-                     *r.study.standards.friction, level * force, share, without * force,
-                     without > level ? j.beside ? words::decision::enough_too : words::decision::enough : "");
+      j.one ? "" : fmt::format(": so it is in {} of starts", share_with_interval(*j.all.beyond[sliding]));
+  return fmt::format(
+      "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports{}; without balls "
+      "the peak is {:.4g} N{}. It may turn on its feet at a smaller force [PP].",
+      *r.study.standards.standing_mass * r.study.scales->mass, *r.study.standards.friction, level * force, share,
+      without * force, without > level ? j.beside ? ", enough too" : ", enough for that" : "");
 }
 
 // What a grade leaves to the rotor at its speed in the end, U_per = M G/omega, and what is left on average; in kg m.
@@ -158,14 +162,15 @@ std::optional<Permissible> permissible(const BasinResult& r, const Judged& j) {
 }
 
 std::string permissible_text(const Permissible& p) {
-  return fmt::format(words::decision::permissible_unbalance, p.grade, engineering(p.speed, study::Dimension::speed),
+  return fmt::format(" G {:.3g} at {} permits {}; {} is left.", p.grade, engineering(p.speed, study::Dimension::speed),
                      engineering(p.unbalance, study::Dimension::unbalance),
                      engineering(p.left, study::Dimension::unbalance));
 }
 
 std::string balance_quality_text(double grade, std::optional<double> beside) {
-  if (!beside) return fmt::format(words::decision::balance_quality_alone, grade_text(grade));
-  return fmt::format(words::decision::balance_quality, grade_text(grade), grade_text(*beside));
+  if (!beside) return fmt::format("Balance quality e omega [ISO 21940-11]: {}.", grade_text(grade));
+  return fmt::format("Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.", grade_text(grade),
+                     grade_text(*beside));
 }
 
 }  // namespace
@@ -219,7 +224,7 @@ Json standards_json(const BasinResult& r) {
     Json& told = json["hand_arm"];
     if (!j->one) put(told, "median", times(arms->median), "at_most_in_90_percent", times(arms->ninety));
     if (arms->bare || j->one) put(told, "without_balls", times(arms->bare.value_or(arms->median)));
-    put(told, "unit", "m/s2", "source", words::decision::hand_arm_source);
+    put(told, "unit", "m/s2", "source", "ISO 5349-1:2001, Directive 2002/44/EC");
   }
   if (j->all.beyond[sliding])
     put(json, "slides",

@@ -10,7 +10,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/decision.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 #include "equipoise/study/units/units.hpp"
 
@@ -23,8 +22,8 @@ class Changes {
   explicit Changes(const Study& study) : study_(study), p_(study.parameters) {}
 
   std::vector<Change> all() {
-    drag(2.0, words::decision::twice_the_drag);
-    drag(0.5, words::decision::half_the_drag);
+    drag(2.0, "twice the drag");
+    drag(0.5, "half the drag");
     if (p_.equal_balls()) {
       balls(p_.balls + 2);
       size(1.25);
@@ -66,20 +65,21 @@ class Changes {
     s.initial.phi = even_angles(count);
     s.initial.phi_dot.fill(0.0);
     s.angles_stated = false;
-    add(fmt::format(words::decision::balls, count), std::move(s));
+    add(fmt::format("{} balls", count), std::move(s));
   }
 
   // Drag in oil grows with the diameter (Stokes), over the mass of a ball in beta.
   void size(double factor) {
     Study s = study_;
     model::Parameters& p = s.parameters;
-    std::string words = factor > 1.0 ? words::decision::larger_balls : words::decision::smaller_balls;
+    std::string words =
+        factor > 1.0 ? "larger balls, a quarter more in diameter" : "smaller balls, a fifth less in diameter";
     if (p.rolls && study_.scales) {
       const double diameter = 2000.0 * p.ball_radius[0] * study_.scales->length,
                    rounded = std::round(diameter * factor);
       if (!(rounded > 0.0) || rounded == diameter) return;
       factor = rounded / diameter;
-      words = fmt::format(words::decision::balls_of, rounded);
+      words = fmt::format("balls of {:.0f} mm", rounded);
     }
     for (double& mass : p.mass) mass *= factor * factor * factor;
     for (double& beta : p.drag) beta /= factor * factor;
@@ -105,14 +105,14 @@ class Changes {
     s.release.speed = speed;
     s.initial.phi_dot.fill(0.0);
     s.sampling.box = {};
-    add(fmt::format(words::decision::latch_until, rotor_speed_text(study_, std::fabs(speed))), std::move(s));
+    add(fmt::format("a latch that holds the balls until {}", rotor_speed_text(study_, std::fabs(speed))), std::move(s));
   }
 
   void faster() {
     if (study_.speed.profile != Profile::ramp) return;
     Study s = study_;
     s.speed.duration *= 0.5;
-    add(words::decision::half_the_run_up, std::move(s));
+    add("a run-up of half the time", std::move(s));
   }
 
   const Study& study_;

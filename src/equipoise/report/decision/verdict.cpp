@@ -14,11 +14,15 @@
 #include "equipoise/report/decision/below_resonance.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/words/decision.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char fit_if_it_may_shake[] = "Fit it only if more vibration on the way is acceptable: {}.";
+constexpr char do_not_fit_because[] = "Do not fit it: {}.";
+constexpr char leave_it_out[] = "Leave the balancer out.";
 
 constexpr std::size_t median = 0, ninety = 1;
 static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
@@ -38,11 +42,11 @@ class Judge {
     else
       by_comparison();
     if (const std::string below = below_resonance_words(r_.study); !below.empty()) leave_out(below);
-    verdict_.change = verdict_.leave_out                    ? words::decision::leave_it_out
-                      : verdict_.decision == Decision::fit  ? words::decision::nothing_to_change
+    verdict_.change = verdict_.leave_out                    ? leave_it_out
+                      : verdict_.decision == Decision::fit  ? "Nothing has to change."
                       : verdict_.decision == Decision::open ? more_starts()
                       : !tried.empty()                      ? best_words(tried)
-                                                            : words::decision::search_for_better;
+                                                            : "\"equipoise design\" searches for a better balancer.";
     return std::move(verdict_);
   }
 
@@ -53,7 +57,7 @@ class Judge {
   }
 
   void leave_out(const std::string& below) {
-    say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below));
+    say(Decision::do_not_fit, fmt::format(do_not_fit_because, below));
     verdict_.leave_out = true;
   }
 
@@ -69,32 +73,34 @@ class Judge {
     const auto& bare = none_.kept();
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
     verdict_.leave_out = bare_keeps;
-    verdict_.because = fmt::format(words::decision::share_keeps_limits, share_words(kept));
+    verdict_.because = fmt::format("{} of starts keep every limit", share_words(kept));
     if (with_.within[0] && with_.within[1] && kept.share < needed)
-      verdict_.because += fmt::format(words::decision::share_on_the_way_and_at_end,
-                                      percent_text(with_.within[1]->share), percent_text(with_.within[0]->share));
+      verdict_.because += fmt::format(", {} on the way and {} at the end", percent_text(with_.within[1]->share),
+                                      percent_text(with_.within[0]->share));
     verdict_.because += bare_words(bare) + ".";
     const std::string asked = percent_text(needed);
     if (bare_keeps) {
       if (kept.least >= needed)
-        say(Decision::not_needed, words::decision::not_needed);
+        say(Decision::not_needed, "Not needed: the rotor keeps every limit without a balancer too.");
       else if (kept.most < needed)
-        say(Decision::do_not_fit, words::decision::do_not_fit);
+        say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
       else
-        say(Decision::not_needed, words::decision::not_needed_whatever_balls_do);
+        say(Decision::not_needed, "Not needed: without balls the rotor keeps every limit.");
     } else if (kept.least >= needed) {
       if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
-        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
+        say(Decision::caution, fmt::format(fit_if_it_may_shake, more));
       else
-        say(Decision::fit, fmt::format(words::decision::fit, asked) +
-                               (more.empty() ? "" : fmt::format(words::decision::on_the_way, more)));
+        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked) +
+                               (more.empty() ? "" : fmt::format(" On the way {}.", more)));
     } else if (kept.most < needed) {
       if (worse_at_end())
-        say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_as_it_is, asked));
+        say(Decision::do_not_fit, fmt::format("Do not fit it as it is: too few starts keep the limits ({} are asked), "
+                                              "and half of them end shaking more than without balls.",
+                                              asked));
       else
-        say(Decision::change, fmt::format(words::decision::change_it, asked));
+        say(Decision::change, fmt::format("Change it: too few starts keep every limit; {} are asked.", asked));
     } else {
-      say(Decision::open, fmt::format(words::decision::not_decided, asked));
+      say(Decision::open, fmt::format("Not decided yet: whether {} of starts keep every limit.", asked));
     }
   }
 
@@ -103,8 +109,8 @@ class Judge {
 
   std::string bare_words(const std::optional<Share>& bare) const {
     if (!bare || bare->total == 0) return "";
-    if (!bare_.one) return fmt::format(words::decision::share_without_balls, share_words(*bare));
-    return bare->count > 0 ? words::decision::rotor_alone_too : words::decision::rotor_alone_not;
+    if (!bare_.one) return fmt::format("; without balls {}", share_words(*bare));
+    return bare->count > 0 ? "; the rotor without balls keeps them all" : "; the rotor without balls does not";
   }
 
   void by_comparison() {
@@ -114,20 +120,22 @@ class Judge {
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
     const std::string low = number(most.low), high = number(most.high);
     verdict_.because = fmt::format(
-        words::decision::velocity_at_end, number(most.value), unit.name,
-        low == high ? "" : fmt::format(words::decision::interval, low, high), number(without),
-        bare_.one ? "" : fmt::format(words::decision::times_its_own_rotor, fmt::format("{:.2g}", times.value)));
+        "RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}{}.", number(most.value), unit.name,
+        low == high ? "" : fmt::format(" ({} to {})", low, high), number(without),
+        bare_.one ? ""
+                  : fmt::format(". In 90 % of starts it is at most {} times that of the same rotor without balls",
+                                fmt::format("{:.2g}", times.value)));
     if (times.high <= quieter_end) {
       if (const std::string more = larger_peaks(); !more.empty())
-        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
+        say(Decision::caution, fmt::format(fit_if_it_may_shake, more));
       else
-        say(Decision::fit, words::decision::fit_half_the_vibration);
+        say(Decision::fit, "Fit it: in 90 % of starts it ends with at most half the vibration.");
     } else if (worse_at_end()) {
-      say(Decision::do_not_fit, words::decision::do_not_fit_more_vibration);
+      say(Decision::do_not_fit, "Do not fit it as it is: half of the starts end shaking more than without balls.");
     } else if (times.low > quieter_end) {
-      say(Decision::change, words::decision::change_too_much_vibration);
+      say(Decision::change, "Change it: too many starts end with more than half of the vibration without balls.");
     } else {
-      say(Decision::open, words::decision::not_decided_vibration);
+      say(Decision::open, "Not decided yet: whether 90 % of starts end with at most half the vibration.");
     }
   }
 
@@ -140,7 +148,8 @@ class Judge {
     const auto most = [&](const TransientGroup& group) {
       return group.figure(&TransientRow::peak_radial).quantiles[ninety].value * unit.size;
     };
-    return fmt::format(words::decision::peak_and_without_balls, most(with_), unit.name, most(none_), unit.name);
+    return fmt::format("the peak reaches {:.3g} {} in one start of ten, {:.3g} {} without balls", most(with_),
+                       unit.name, most(none_), unit.name);
   }
 
   // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
@@ -150,31 +159,39 @@ class Judge {
       if (serves_better(t, *best)) best = &t;
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
     const std::string figure =
-        best->kept ? fmt::format(words::decision::starts_keep_limits, share_words(*best->kept), best->starts)
-                   : fmt::format(words::decision::velocity_in_most_starts, best->end_velocity.value * unit.size,
-                                 unit.name, best->starts);
+        best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
+                   : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
+                                 best->end_velocity.value * unit.size, unit.name, best->starts);
     const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
     const std::string peak =
-        fmt::format(words::decision::peak_in_few_starts, best->peak.value * length.size, length.name);
+        fmt::format("the peak reaches {:.3g} {} in one start of ten", best->peak.value * length.size, length.name);
     if (best->decision == Decision::fit)
-      return fmt::format(words::decision::with_change, best->words, figure,
+      return fmt::format("With {}: {}{}.", best->words, figure,
                          verdict_.decision == Decision::caution ? "; " + peak : "");
     if (best->decision == Decision::caution) {
       const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
-      if (best->peak.high < now)
-        return fmt::format(words::decision::with_change_lower_peak, best->words, peak, best->starts);
-      return fmt::format(words::decision::no_change_lowers_peak, tried.size());
+      if (best->peak.high < now) return fmt::format("With {}: {} ({} starts).", best->words, peak, best->starts);
+      return fmt::format("None of {} changes tried is shown to lower the peak. \"equipoise design\" searches further.",
+                         tried.size());
     }
-    if (best->kept && best->kept->count == 0) return fmt::format(words::decision::no_change_keeps_limits, tried.size());
-    return fmt::format(words::decision::no_change_is_enough, tried.size(), best->words, figure);
+    if (best->kept && best->kept->count == 0)
+      return fmt::format(
+          "With none of {} changes tried does a start keep every limit. \"equipoise design\" searches further.",
+          tried.size());
+    return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
+                       tried.size(), best->words, figure);
   }
 
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
     if (undecided.count > 0 && bare_.runs > 0 && bare_.stalled == bare_.runs)
-      return fmt::format(words::decision::more_torque, percent_text(undecided.share));
-    if (undecided.count > 0) return fmt::format(words::decision::longer_horizon, percent_text(undecided.share));
-    return fmt::format(words::decision::more_starts, 4 * std::max<std::uint64_t>(r_.starts, 250));
+      return fmt::format(
+          "{} of starts are undecided, and the rotor stalls even without balls: give its motor more torque.",
+          percent_text(undecided.share));
+    if (undecided.count > 0)
+      return fmt::format("{} of starts are undecided: a longer numerics.horizon may tell.",
+                         percent_text(undecided.share));
+    return fmt::format("Run more starts: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
   }
 
   const BasinResult& r_;
@@ -192,8 +209,8 @@ std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const 
   // Known before a start is.
   const std::string below = r.transients ? below_resonance_words(r.study) : "";
   if (below.empty()) return std::nullopt;
-  return BalancerVerdict{Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below),
-                         words::decision::by_linear_theory, words::decision::leave_it_out, true};
+  return BalancerVerdict{Decision::do_not_fit, fmt::format(do_not_fit_because, below),
+                         words::decision::by_linear_theory, leave_it_out, true};
 }
 
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& r) {
@@ -239,7 +256,7 @@ Tone tone_of(Decision decision) {
 }
 
 DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> tried, std::size_t most) {
-  const auto as_it_is = tried_change(words::decision::as_it_is, r);
+  const auto as_it_is = tried_change("as it is", r);
   if (tried.empty() || !as_it_is) return {};
   const bool limited = as_it_is->kept.has_value();
   std::vector<TriedChange> order(tried.begin(), tried.end());
@@ -248,9 +265,9 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   order.push_back(*as_it_is);
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
                          length = study::shown_unit(study::Dimension::length, r.study.scales);
-  DocumentTable table{
-      {"change", limited ? words::decision::keep_limits : fmt::format(words::decision::velocity_column, velocity.name),
-       fmt::format(words::decision::peak_column, length.name)}};
+  DocumentTable table{{"change",
+                       limited ? "keep every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
+                       fmt::format("peak displacement, {}", length.name)}};
   const auto number = [](const QuantileEstimate& q, const study::ShownUnit& unit) {
     return number_cell(std::isfinite(q.value) ? fmt::format("{:.3g}", q.value * unit.size) : "-");
   };
@@ -264,11 +281,13 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   const auto [fewest, all] = std::minmax_element(
       tried.begin(), tried.end(), [](const TriedChange& a, const TriedChange& b) { return a.starts < b.starts; });
   const std::string starts = fewest->starts == all->starts
-                                 ? fmt::format(words::decision::each_on, all->starts)
-                                 : fmt::format(words::decision::on_fewer_starts, all->starts, fewest->starts);
+                                 ? fmt::format("each on {} starts", all->starts)
+                                 : fmt::format("each on {} starts, or on {} where that was enough to see it fail",
+                                               all->starts, fewest->starts);
   table.caption =
-      fmt::format(words::decision::changes_tried, tried.size() > most ? words::decision::of : "", tried.size(), starts,
-                  limited ? words::decision::shares_and_peak : words::decision::velocity_and_peak);
+      fmt::format("{}{} changes tried, {}, best first. {}.", tried.size() > most ? "Of " : "", tried.size(), starts,
+                  limited ? "Shares with their 95 % intervals; peak: 90 % of starts below"
+                          : "Velocity and peak: 90 % of starts below");
   return table;
 }
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/words/plots.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
@@ -36,20 +35,20 @@ const char* colour_of(int code) {
 }
 
 std::string axis_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return words::plots::final_speed;
-  if (key == "rotor.eccentricity") return words::plots::eccentricity;
-  if (key == "rotor.damping") return words::plots::damping;
-  if (key == "rotor.stiffness") return words::plots::stiffness;
-  if (key == "balancer.mass") return words::plots::ball_mass;
-  if (key == "balancer.drag") return words::plots::ball_drag;
+  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / √(k/M)";
+  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
+  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
+  if (key == "rotor.stiffness") return "support stiffness κ";
+  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
+  if (key == "balancer.drag") return "drag of a ball β";
   constexpr std::string_view angle = "initial.phi_";
   if (key.starts_with(angle) && !key.starts_with("initial.phi_dot"))
-    return fmt::format(words::plots::initial_angle, key.substr(angle.size()));
+    return fmt::format("initial angle of ball {0}, φ{0} (rad)", key.substr(angle.size()));
   constexpr std::string_view rate = "initial.phi_dot_";
-  if (key.starts_with(rate)) return fmt::format(words::plots::initial_rate, key.substr(rate.size()));
+  if (key.starts_with(rate)) return fmt::format("initial rate of ball {0}, φ{0}' / √(k/M)", key.substr(rate.size()));
   for (const std::string name : {"x", "y"}) {
-    if (key == "initial." + name) return fmt::format(words::plots::initial_place, name);
-    if (key == "initial." + name + "_dot") return fmt::format(words::plots::initial_velocity, name);
+    if (key == "initial." + name) return fmt::format("initial {} / race radius, rotating frame", name);
+    if (key == "initial." + name + "_dot") return fmt::format("initial {}' / (race radius x √(k/M))", name);
   }
   return key;
 }

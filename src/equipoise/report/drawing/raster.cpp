@@ -7,7 +7,6 @@
 #include <png.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -22,7 +21,7 @@ std::string png_bytes(const Raster& r) {
   constexpr std::size_t most_colours = 256;
   const bool fits = !r.palette.empty() && r.palette.size() <= most_colours && r.width * r.height == r.squares.size() &&
                     !r.squares.empty() && *std::max_element(r.squares.begin(), r.squares.end()) < r.palette.size();
-  if (!fits) throw std::invalid_argument(words::plots::squares_disagree);
+  if (!fits) throw std::invalid_argument("a picture's squares, size and palette do not agree");
   std::vector<png_byte> colours;
   for (const std::string& colour : r.palette)
     for (const std::size_t at : {1, 3, 5})

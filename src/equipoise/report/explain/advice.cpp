@@ -10,11 +10,9 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/machine/words/mechanics.hpp"
 #include "equipoise/report/explain/balanced_motion.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
-#include "equipoise/report/words/explain.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 
 namespace equipoise {
@@ -45,63 +43,63 @@ std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_n
   if (!e.speed)
     why_not = e.speed_words;
   else if (std::abs(*e.speed) <= lowest(e.critical_with_balls))
-    why_not = words::explain::below_resonance;
+    why_not = "at or below the critical speed balls gather on the heavy side, whatever their drag";
   if (!why_not.empty()) return std::nullopt;
   const double speed = std::abs(*e.speed);
   const model::Parameters p = model::centred_twin(model::weakened(own, 0.0), speed).parameters;
   const model::BalancedStates states = model::balanced_states(p);
   const auto angles = balanced_angles(states, p);
   if (!angles) {
-    why_not = states.reason.empty() ? words::explain::no_balanced_state_found : states.reason;
+    why_not = states.reason.empty() ? "no balanced state was found" : states.reason;
     return std::nullopt;
   }
   std::string less;
-  if (own.gravity != 0.0) less += words::explain::without_gravity_too;
-  if (!own.isotropic()) less += words::explain::with_means_too;
-  if (!own.race_is_centred()) less += words::explain::with_a_centred_race_too;
+  if (own.gravity != 0.0) less += "; without gravity";
+  if (!own.isotropic()) less += "; with the mean of x and y";
+  if (!own.race_is_centred()) less += "; with a centred race";
   return NearBalance{p, speed, *angles, states.kind == model::BalancedStates::Kind::continuum, less};
 }
 
 RuleOfThumb ball_mass(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
-  RuleOfThumb rule{"ball_mass", words::explain::ball_mass, words::explain::ball_mass_formula,
-                   words::explain::ball_mass_source};
+  RuleOfThumb rule{"ball_mass", "ball mass", "lambda <= mu sin(n delta/2)/sin(delta/2), of points n mu",
+                   "docs/explanation/rules-of-thumb.md, Ball mass; Existence in docs/explanation/equations.md"};
   const double lambda = e.unbalance;
   rule.kept = e.balanced.kind != model::BalancedStates::Kind::none;
-  rule.words = *rule.kept ? words::explain::balls_can_cancel : e.balanced.reason;
-  add(rule, "", words::explain::most_cancelled, e.largest_unbalance, Dimension::unbalance);
-  add(rule, "", words::explain::least_cancelled, e.least_unbalance, Dimension::unbalance);
+  rule.words = *rule.kept ? "the balls can cancel the unbalance" : e.balanced.reason;
+  add(rule, "", "most that they cancel side by side", e.largest_unbalance, Dimension::unbalance);
+  add(rule, "", "least that they cancel", e.least_unbalance, Dimension::unbalance);
   add(rule, "", "unbalance", lambda, Dimension::unbalance);
   if (p.balls == 2 && p.equal_balls() && lambda > 0.0)
-    add(rule, "", words::explain::fastest_settling_mass, lambda / std::sqrt(2.0), Dimension::mass);
+    add(rule, "", "mass of each ball that settles fastest, lambda/sqrt(2)", lambda / std::sqrt(2.0), Dimension::mass);
   return rule;
 }
 
 RuleOfThumb critical_speeds(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
-  RuleOfThumb rule{"critical_speed", words::explain::critical_speed, words::explain::critical_speed_formula,
-                   words::explain::critical_speed_source};
+  RuleOfThumb rule{
+      "critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
+      "docs/explanation/rules-of-thumb.md, Critical speeds; Clamped balls in docs/explanation/equations.md"};
   const std::array<double, 2>& critical = e.critical_with_balls;
   const bool one = p.isotropic();
   for (int d = 0; d < (one ? 1 : 2); ++d) {
     const std::string direction = one ? "" : d == 0 ? ", x" : ", y";
-    add(rule, "", words::explain::critical_speed_with_balls + direction, critical[static_cast<std::size_t>(d)],
-        Dimension::speed);
+    add(rule, "", "critical speed with the balls" + direction, critical[static_cast<std::size_t>(d)], Dimension::speed);
     if (const auto peak = rules::speed_of_largest_vibration(p, d))
-      add(rule, "", words::explain::largest_vibration + direction + words::explain::of_held_balls, *peak,
-          Dimension::speed);
+      add(rule, "", "largest vibration" + direction + ", of held balls", *peak, Dimension::speed);
   }
-  if (p.gravity > 0.0) add(rule, "", words::explain::resonance_by_weight, 0.5 * lowest(critical), Dimension::speed);
+  if (p.gravity > 0.0)
+    add(rule, "", "balls shake twice a turn by their weight, resonance at", 0.5 * lowest(critical), Dimension::speed);
   const double least = rules::quiet_speed(p);
-  add(rule, "", words::explain::run_above, least, Dimension::speed);
+  add(rule, "", "run above", least, Dimension::speed);
   if (!e.speed) {
     rule.words = e.speed_words;
     return rule;
   }
   rule.kept = std::abs(*e.speed) >= least;
-  rule.words = *rule.kept ? words::explain::far_above_resonance : words::explain::near_resonance;
+  rule.words = *rule.kept ? "far enough above resonance" : "near or below resonance";
   if (!one && std::abs(*e.speed) > lowest(critical) && std::abs(*e.speed) < highest(critical))
-    rule.words = words::explain::between_critical_speeds;
+    rule.words = "between the critical speeds of x and y, where balls have no side to gather on";
   return rule;
 }
 
@@ -115,25 +113,26 @@ std::optional<double> spacing_in_balance(const Explanation& e) {
 
 RuleOfThumb room(const Explanation& e) {
   const std::vector<double>& width = e.ball_width;
-  RuleOfThumb rule{"room", words::explain::room, words::explain::room_formula, words::explain::room_source};
+  RuleOfThumb rule{"room", "room in the race", "sum of 2 asin(d_i/(2 R)) <= 2 pi",
+                   "docs/explanation/rules-of-thumb.md, Room in the race; Contact in docs/explanation/equations.md"};
   if (width.empty()) {
-    rule.words = words::explain::size_not_given;
+    rule.words = "the study does not give the balls' size";
     return rule;
   }
   const double all = std::accumulate(width.begin(), width.end(), 0.0),
                widest = *std::max_element(width.begin(), width.end());
   rule.kept = all <= two_pi;
-  rule.words = *rule.kept ? words::explain::balls_fit : words::mechanics::balls_do_not_fit;
-  add(rule, "", words::explain::angle_of_touching_balls, widest, Dimension::angle);
-  add(rule, "", words::explain::balls_that_fit, std::floor(two_pi / widest * (1.0 + 1e-12)), std::nullopt);
-  add(rule, "", words::explain::part_of_race_filled, all / two_pi, std::nullopt);
+  rule.words = *rule.kept ? "the balls fit into the race" : "the balls do not fit into the race";
+  add(rule, "", "angle between touching balls, 2 asin(d/(2 R))", widest, Dimension::angle);
+  add(rule, "", "balls of this size that fit", std::floor(two_pi / widest * (1.0 + 1e-12)), std::nullopt);
+  add(rule, "", "part of the race that they fill", all / two_pi, std::nullopt);
   // Three balls or more have many balanced states, some of them with room whenever rule ball_mass holds.
   const auto spacing = spacing_in_balance(e);
   if (!spacing) return rule;
-  add(rule, "", words::explain::angle_in_balance, *spacing, Dimension::angle);
+  add(rule, "", "angle between them in balance", *spacing, Dimension::angle);
   if (*spacing < 0.5 * (width[0] + width[1])) {
     rule.kept = false;
-    rule.words = words::explain::balls_would_overlap;
+    rule.words = "in balance the balls would overlap";
   }
   return rule;
 }
@@ -145,14 +144,16 @@ void add_drag(RuleOfThumb& rule, const Explanation& e, const std::string& name, 
 }
 
 RuleOfThumb drag(const Explanation& e) {
-  RuleOfThumb rule{"drag", words::explain::ball_drag, words::explain::drag_formula, words::explain::drag_source};
+  RuleOfThumb rule{"drag", "ball drag",
+                   "beta_s/2 <= beta <= 2 beta_s, beta_s = 2 sqrt(s k_b); beta >= N omega^3/(zeta (Omega - omega))",
+                   "docs/explanation/rules-of-thumb.md, Ball drag; Linearisation in docs/explanation/equations.md"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double own = rules::mean_drag(near->parameters);
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   if (stiffness <= 0.0) {
-    rule.words = near->above_resonance() ? words::explain::all_balls_on_a_line
-                                         : words::explain::no_return_between_critical_speeds;
+    rule.words = near->above_resonance() ? "nothing brings the balls of this balanced state back: all lie on one line"
+                                         : "between the critical speeds nothing brings the balls back";
     return rule;
   }
   const double best = rules::settling_drag(near->parameters, stiffness);
@@ -167,64 +168,67 @@ RuleOfThumb drag(const Explanation& e) {
     if (const auto range = scan.range(rules::settling_share, low, high)) {
       from = range->low * own;
       to = range->high * own;
-      add_drag(rule, e, words::explain::from_by_linear_theory, from);
-      add_drag(rule, e, words::explain::fastest_by_linear_theory, range->best * own);
-      add_drag(rule, e, words::explain::to_by_linear_theory, to);
+      add_drag(rule, e, "from (linear theory)", from);
+      add_drag(rule, e, "fastest (linear theory)", range->best * own);
+      add_drag(rule, e, "to (linear theory)", to);
     } else {
       unstable = true;
     }
   }
   rule.kept = own >= from && own <= to && !unstable;
-  rule.words = unstable     ? words::explain::no_drag_stabilises
-               : own < from ? words::explain::too_little_drag
-               : own > to   ? words::explain::too_much_drag
-                            : words::explain::drag_settles_fast;
+  rule.words = unstable     ? "by linear theory no drag makes balance stable"
+               : own < from ? "too little: balance settles at less than a quarter of its fastest rate, or is unstable"
+               : own > to   ? "too much: the balls creep into balance at less than a quarter of the fastest rate"
+                            : "balance settles at a quarter of its fastest rate or more";
   rule.words += near->less;
   // Linear theory leaves less out.
   if (rule.kept == true && e.motion && !e.motion->stable) {
     rule.kept = false;
-    rule.words += words::explain::with_which_unstable;
+    rule.words += ", with which it is unstable";
   }
   const double against = rules::drag_against_capture(e.study.parameters, near->speed);
-  add_drag(rule, e, words::explain::drag_against_lagging, against);
-  if (own < against) rule.words += words::explain::may_lag_too;
+  add_drag(rule, e, "below it balls may lag at the critical speed", against);
+  if (own < against) rule.words += "; on the way up they may lag behind at the critical speed";
   return rule;
 }
 
 RuleOfThumb carried(const Explanation& e) {
-  RuleOfThumb rule{"carried", words::explain::carried, words::explain::carried_formula, words::explain::carried_source};
+  RuleOfThumb rule{"carried", "balls carried round",
+                   "beta Omega >= G; of n that touch: n beta Omega >= G sin(n delta/2)/sin(delta/2)",
+                   "docs/explanation/rules-of-thumb.md, Carried round"};
   const model::Carrying& c = *e.carrying;
   rule.kept = !c.may_hang();
-  rule.words = c.reached >= c.all ? words::explain::carried_from_rest
-               : c.turning        ? words::explain::not_carried_but_turning
-                                  : words::explain::not_carried;
-  add(rule, "", words::explain::carries_all_from, c.all, Dimension::speed);
-  add_drag(rule, e, words::explain::least_drag_of_one, e.study.parameters.gravity / c.reached);
+  rule.words = c.reached >= c.all ? "drag carries balls round against their weight, from rest also"
+               : c.turning
+                   ? "drag is too little to carry balls round from rest, but they are let go so fast that none falls"
+                   : "balls that hang below the shaft stay there: drag is too little against their weight";
+  add(rule, "", "carries all from", c.all, Dimension::speed);
+  add_drag(rule, e, "least at the final speed, of balls that do not touch", e.study.parameters.gravity / c.reached);
   return rule;
 }
 
 RuleOfThumb settling(const Explanation& e) {
-  RuleOfThumb rule{"settling", words::explain::settling, words::explain::settling_formula,
-                   words::explain::settling_source};
+  RuleOfThumb rule{"settling", "settling near balance",
+                   "slower decay of s q'' + beta q' + k_b q = 0 and (1 + N) r'' + zeta r' + kappa r = 0",
+                   "docs/explanation/rules-of-thumb.md, Settling; Linearisation in docs/explanation/equations.md"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   const double time = rules::settling_time(near->parameters, std::max(stiffness, 0.0));
   // Linear theory may leave less out than the rule.
   const bool knows_more = e.motion && e.motion->less.empty() && !near->less.empty();
-  rule.words =
-      words::explain::falls_to_a_part + (knows_more ? words::explain::the_rule + near->less.substr(2) : near->less);
+  rule.words = "a deviation falls to 1/e" + (knows_more ? "; the rule " + near->less.substr(2) : near->less);
   if (!std::isfinite(time))
-    rule.words = stiffness > 0.0 ? words::explain::nothing_settles : words::explain::nothing_returns;
-  if (e.study.parameters.balls_stick()) rule.words += words::explain::friction_holds_too;
-  add(rule, "", words::explain::by_the_rule, time, Dimension::time);
+    rule.words = stiffness > 0.0 ? "without drag or without damping nothing settles" : "nothing brings the balls back";
+  if (e.study.parameters.balls_stick()) rule.words += "; friction stops the balls short of it";
+  add(rule, "", "by the rule", time, Dimension::time);
   const double rate = e.motion ? e.motion->slowest_rate
                                : DragScan(near->parameters, near->speed, near->angles, near->family).slowest(1.0);
   if (rate < -least_rate)
-    add(rule, "", words::explain::by_linear_theory, -1.0 / rate, Dimension::time);
+    add(rule, "", "by linear theory", -1.0 / rate, Dimension::time);
   else
-    rule.words +=
-        rate > least_rate ? words::explain::unstable_by_linear_theory : words::explain::undecided_by_linear_theory;
+    rule.words += rate > least_rate ? "; linear theory: not at all, balance is unstable"
+                                    : "; linear theory: the largest rate is within 1e-9 of 0";
   return rule;
 }
 
@@ -242,43 +246,44 @@ std::optional<double> torque_at(const Study& study, double speed) {
 
 RuleOfThumb torque(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
-  RuleOfThumb rule{"torque", words::explain::motor_torque, words::explain::torque_formula,
-                   words::explain::torque_source};
+  RuleOfThumb rule{"torque", "motor torque",
+                   "tau(omega) >= (lambda + N)^2 omega^3/zeta, half of it where x and y differ",
+                   "docs/explanation/rules-of-thumb.md, Torque; [Som], [Kon]"};
   const double critical = highest(e.critical_with_balls), first = lowest(e.critical_with_balls);
   const auto need = [&](double unbalance) {
     return std::max(rules::shaking_torque(p, unbalance, first), rules::shaking_torque(p, unbalance, critical));
   };
   const double alone = need(p.eccentricity), together = need(p.all_unbalances());
   if (e.speed && std::abs(*e.speed) <= first) {
-    rule.words = words::explain::final_speed_below;
+    rule.words = "the final speed is below the critical speed";
     return rule;
   }
   if (e.study.speed.driven() && std::abs(e.study.speed.initial) > critical) {
-    rule.words = words::explain::above_from_the_beginning;
+    rule.words = "the rotor is above the critical speed from the beginning";
     return rule;
   }
   if (!std::isfinite(together)) {
-    rule.words = words::explain::no_torque_without_damping;
+    rule.words = "without damping no torque holds against resonance: only a fast run-up passes";
     return rule;
   }
-  add(rule, "tau", words::explain::taken_with_balls, together, Dimension::torque);
-  add(rule, "tau", words::explain::taken_by_rotor, alone, Dimension::torque);
+  add(rule, "tau", "taken at resonance with all balls on the heavy side", together, Dimension::torque);
+  add(rule, "tau", "taken at resonance by the rotor's own unbalance", alone, Dimension::torque);
   if (!e.study.speed.driven()) {
-    rule.words = words::explain::speed_is_prescribed;
+    rule.words = "the study prescribes the speed; a motor would need as much, besides what speeds the rotor up";
     return rule;
   }
   const auto given = torque_at(e.study, critical);
   if (!given) {
     rule.kept = true;
-    rule.words = words::explain::integral_without_limit;
+    rule.words = "the motor's integral part has no limit";
     return rule;
   }
   const TorqueSetting& motor = e.study.speed.torque;
   const bool passing = motor.kind == model::MotorLaw::Kind::table || motor.until;
   add(rule, "tau",
-      passing                        ? words::explain::largest_torque
-      : e.study.speed.load.is_none() ? words::explain::given_at_critical_speed
-                                     : words::explain::left_at_critical_speed,
+      passing                        ? "largest torque of the motor"
+      : e.study.speed.load.is_none() ? "given by the motor at the critical speed"
+                                     : "left by motor and load at the critical speed",
       *given, Dimension::torque);
   const double quiet = rules::quiet_speed(p), through = e.speed ? std::min(quiet, 0.99 * std::abs(*e.speed)) : quiet;
   const auto arrives = [&](double unbalance) { return rotor_alone(e.study, unbalance, through).arrived; };
@@ -288,12 +293,15 @@ RuleOfThumb torque(const Explanation& e) {
   const bool by_itself = passing ? arrives(p.eccentricity) : *given >= alone;
   if (with_all) {
     rule.kept = true;
-    rule.words = passing ? words::explain::enough_while_it_lasts : words::explain::enough_however_slowly;
+    rule.words = passing ? "enough while it lasts, wherever the balls are"
+                         : "enough however slowly it passes, wherever the balls are";
   } else if (!by_itself) {
     rule.kept = false;
-    rule.words = passing ? words::explain::torque_too_short : words::explain::torque_too_little;
+    rule.words =
+        passing ? "too little or too short: the rotor's own unbalance stops it"
+                : "less than the rotor's own unbalance takes: without balls it stalls unless it comes with momentum";
   } else {
-    rule.words = words::explain::torque_depends_on_balls;
+    rule.words = "whether it is enough depends on where the balls are";
   }
   return rule;
 }

@@ -6,7 +6,6 @@
 
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/words/explain.hpp"
 
 namespace equipoise {
 
@@ -17,9 +16,9 @@ std::string less_words(unsigned left_out) {
   const auto add = [&](LeftOut what, const char* words) {
     if (left_out & what) text += (text.empty() ? "" : ", ") + std::string(words);
   };
-  add(dry_friction_left_out, words::explain::without_dry_friction);
-  add(gravity_left_out, words::explain::without_gravity);
-  add(unequal_supports_left_out, words::explain::with_means);
+  add(dry_friction_left_out, "without dry friction");
+  add(gravity_left_out, "without gravity");
+  add(unequal_supports_left_out, "with the mean of x and y");
   return text;
 }
 
@@ -42,11 +41,11 @@ double farthest(const model::System& system, const PeriodicOrbit& orbit) {
 void linearise(Explanation& e, const StopFlag* stop) {
   const auto skip = [&](const std::string& why) { e.no_motion = why; };
   if (!e.speed) return skip(e.speed_words);
-  if (*e.speed == 0.0) return skip(words::explain::no_turning);
-  if (e.balanced.kind == model::BalancedStates::Kind::none) return skip(words::explain::no_balanced_state);
+  if (*e.speed == 0.0) return skip("the rotor does not turn");
+  if (e.balanced.kind == model::BalancedStates::Kind::none) return skip("there is no balanced state");
   const model::CentredTwin twin = model::centred_twin(e.study.parameters, *e.speed);
   const auto angles = balanced_angles(e.balanced, twin.parameters, e.ball_width);
-  if (!angles) return skip(words::explain::none_in_continuum);
+  if (!angles) return skip("no balanced state of the continuum that was tried leaves the balls room");
   const bool family = e.balanced.kind == model::BalancedStates::Kind::continuum;
   const LinearRotor rotor = linear_rotor(e.study, *e.speed, family);
   BalancedMotion motion;
@@ -54,11 +53,11 @@ void linearise(Explanation& e, const StopFlag* stop) {
   for (int i = 0; i < twin.parameters.balls; ++i) motion.angles[static_cast<std::size_t>(i)] += twin.turn;
   const model::System system = rotor.system();
   const auto linear = balanced_rates(system, motion.angles, family, stop);
-  if (is_set(stop)) return skip(words::explain::stopped);
+  if (is_set(stop)) return skip("it was stopped before it was known");
   if (!linear) {
     const bool gravity = rotor.parameters.gravity != 0.0, uneven = !rotor.parameters.isotropic();
-    return skip(std::string(words::explain::no_balanced_motion_with) + (gravity ? "gravity" : "") +
-                (gravity && uneven ? " and " : "") + (uneven ? words::explain::unequal_supports : ""));
+    return skip(std::string("no balanced motion was found with ") + (gravity ? "gravity" : "") +
+                (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : ""));
   }
   motion.less = less_words(rotor.left_out);
   motion.section_period = system.autonomous() ? 0.0 : system.section_period();

@@ -13,7 +13,6 @@
 #include "equipoise/simulation/spin_up/run_up.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/report/text/carrying_text.hpp"
-#include "equipoise/report/words/explain.hpp"
 
 namespace equipoise {
 
@@ -56,7 +55,7 @@ void explain_plane(Explanation& e) {
     balance(e);
   } else {
     e.unbalance = p.eccentricity;
-    e.balanced.reason = e.no_motion = words::explain::no_balls;
+    e.balanced.reason = e.no_motion = "there are no balls";
   }
   e.sag = 0.0 - model::static_sag(p);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);

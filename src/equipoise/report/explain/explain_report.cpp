@@ -16,13 +16,19 @@
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char final_speed_text[] = "final speed";
+constexpr char times_the_critical[] = "{}, {:.3g} times the {}critical speed{}";
+constexpr char and_with_balls[] = " with balls";
+constexpr char balanced_angles_text[] = "balanced angles";
+constexpr char one_of_continuum[] = " (one of a continuum)";
+constexpr char basin_takes[] = "basin takes";
 
 using model::Scales;
 using study::Dimension;
@@ -57,12 +63,15 @@ class Text {
     balance();
     if (e_.motion) motion(*e_.motion);
     if (e_.bare) bare(*e_.bare);
-    if (e_.reynolds) item(words::reports::reynolds_number, fmt::format(words::reports::reynolds_of, *e_.reynolds));
+    if (e_.reynolds)
+      item("Reynolds number",
+           fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its final one",
+                       *e_.reynolds));
     rules();
     if (e_.cost) cost(*e_.cost);
     text_ += "\n";
     for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
-    if (e_.warnings.empty()) text_ += words::reports::no_warnings;
+    if (e_.warnings.empty()) text_ += "no warnings\n";
     return text_;
   }
 
@@ -117,25 +126,24 @@ class Text {
 
   void whirl(const TiltExplanation& t) {
     const bool balls = e_.study.parameters.balls > 0;
-    const char* label = words::text::critical_speed;
+    const char* label = "critical speed";
     const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
-      const std::string held = fmt::format(words::reports::with_balls_held, list(with, Dimension::speed));
+      const std::string held = fmt::format(", {} with them held", list(with, Dimension::speed));
       item(label, fmt::format(fmt::runtime(words), list(alone, Dimension::speed), balls ? held : ""));
       label = "";
     };
-    if (!t.alone.of_both.empty()) return line(words::reports::whirl_of_both, t.alone.of_both, t.with_balls.of_both);
+    if (!t.alone.of_both.empty()) return line("{} without balls{}", t.alone.of_both, t.with_balls.of_both);
     line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward);
-    line(words::reports::backward_whirl, t.alone.backward, t.with_balls.backward);
+    line("backward whirl: {} without balls{}; unbalance does not excite it", t.alone.backward, t.with_balls.backward);
     if (t.alone.forward.size() == 1) item("", words::reports::one_forward_whirl);
   }
 
   void final_speed_of_tilt() {
-    if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
-    item(words::reports::final_speed,
-         fmt::format(words::reports::times_the_critical, either(*e_.speed, Dimension::speed),
-                     std::abs(*e_.speed) / e_.critical_with_balls[1],
-                     e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "" : "highest ",
-                     e_.study.parameters.balls > 0 ? words::reports::and_with_balls : ""));
+    if (!e_.speed) return item(final_speed_text, "none: " + e_.speed_words);
+    item(final_speed_text, fmt::format(times_the_critical, either(*e_.speed, Dimension::speed),
+                                       std::abs(*e_.speed) / e_.critical_with_balls[1],
+                                       e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "" : "highest ",
+                                       e_.study.parameters.balls > 0 ? and_with_balls : ""));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
   }
 
@@ -145,17 +153,15 @@ class Text {
       return final_speed_of_tilt();
     }
     const bool balls = e_.study.parameters.balls > 0;
-    item(words::text::critical_speed,
-         by_direction(e_.critical_alone, Dimension::speed) +
-             (balls ? words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
-                          words::reports::with_balls_in_race
-                    : ""));
-    if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
+    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) +
+                               (balls ? " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) +
+                                            " with the balls in the race"
+                                      : ""));
+    if (!e_.speed) return item(final_speed_text, "none: " + e_.speed_words);
     const double highest = std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]);
-    item(words::reports::final_speed,
-         fmt::format(words::reports::times_the_critical, either(*e_.speed, Dimension::speed),
-                     std::abs(*e_.speed) / highest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "higher ",
-                     balls ? words::reports::and_with_balls : ""));
+    item(final_speed_text,
+         fmt::format(times_the_critical, either(*e_.speed, Dimension::speed), std::abs(*e_.speed) / highest,
+                     e_.critical_alone[0] == e_.critical_alone[1] ? "" : "higher ", balls ? and_with_balls : ""));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
     if (e_.run_up) run_up(*e_.run_up);
   }
@@ -163,44 +169,51 @@ class Text {
   void cost(const BasinCost& c) {
     constexpr double microseconds = 1e6;
     if (!c.search_ended || c.measured == 0)
-      return item(words::reports::basin_takes,
-                  fmt::format(words::reports::takes_more_than, c.total(),
-                              c.search_ended ? words::reports::the_first_starts : words::reports::the_search));
-    item(words::reports::basin_takes,
-         fmt::format(words::reports::takes_about, c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
+      return item(basin_takes, fmt::format("more than {:.2g} s of CPU: {} had not ended by then", c.total(),
+                                           c.search_ended ? "the first starts" : "the search for attractors"));
+    item(basin_takes, fmt::format("about {:.2g} s of CPU: {:.2g} s for the search for attractors, "
+                                  "{:.2g} us for each of {} starts, measured on {}",
+                                  c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
   }
 
   void run_up(const RunUp& r) {
     const std::string to = either(r.speed, Dimension::speed);
-    item("run-up", r.alone ? fmt::format(words::reports::run_up_without_losses, either(*r.alone, Dimension::time), to,
-                                         either(r.inertia, Dimension::inertia))
-                           : fmt::format(words::reports::motor_fails, to));
+    item("run-up",
+         r.alone ? fmt::format("{} to {}, 95 % of that, without losses; the moment of inertia of rotor and balls is {}",
+                               either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
+                 : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
     if (!r.alone) return;
-    item("", r.shaken ? fmt::format(words::reports::run_up_shaken, either(*r.shaken, Dimension::time),
-                                    e_.study.parameters.balls > 0 ? words::reports::balls_left_out : "")
-                      : fmt::format(words::reports::stalls_in_resonance, either(r.stalls_at, Dimension::speed)));
+    item("", r.shaken ? fmt::format(
+                            "{} with the torque that the rotor's own unbalance absorbs up to sqrt(2) critical speeds{}",
+                            either(*r.shaken, Dimension::time),
+                            e_.study.parameters.balls > 0 ? "; what the balls add to that is left out" : "")
+                      : fmt::format("never with the torque that the rotor's own unbalance absorbs up to sqrt(2) "
+                                    "critical speeds: it stalls at {}",
+                                    either(r.stalls_at, Dimension::speed)));
   }
 
   void balance() {
-    item(words::text::can_balance, verdict_text(e_));
+    item("can balance", verdict_text(e_));
     if (e_.tilt)
       planes(*e_.tilt);
     else if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
-      item("", fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
-                           end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                           both(e_.largest_unbalance, Dimension::unbalance),
-                           e_.ball_width.empty() ? "" : words::text::side_by_side));
-    if (e_.unbalance != e_.study.parameters.eccentricity)
       item("",
-           fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
+           fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
+                       end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                       both(e_.largest_unbalance, Dimension::unbalance), e_.ball_width.empty() ? "" : " side by side"));
+    if (e_.unbalance != e_.study.parameters.eccentricity)
+      item("", fmt::format("the rotor's own is {}; the off-centre race changes it to that at the final speed",
+                           both(e_.study.parameters.eccentricity, Dimension::unbalance)));
     if (e_.sag > 0.0)
-      item(words::reports::static_sag, fmt::format(words::reports::sags_under, both(e_.sag, Dimension::length),
-                                                   both(e_.weight(), Dimension::force)));
-    if (e_.gravity_ratio) item("gravity", fmt::format(words::reports::gravity_ratio, *e_.gravity_ratio));
+      item("static sag",
+           fmt::format("{} under the weight of {}; displacements are measured from there, bearing forces include it",
+                       both(e_.sag, Dimension::length), both(e_.weight(), Dimension::force)));
+    if (e_.gravity_ratio)
+      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
     if (e_.carrying) item("", carried_text(e_.study, *e_.carrying));
-    if (!e_.motion && e_.study.parameters.balls > 0) item(words::text::approach_to_balance, "unknown: " + e_.no_motion);
+    if (!e_.motion && e_.study.parameters.balls > 0) item("approach to balance", "unknown: " + e_.no_motion);
   }
 
   void planes(const TiltExplanation& t) {
@@ -214,9 +227,9 @@ class Text {
   }
 
   std::string states_of_tilt(bool family) const {
-    if (family) return words::reports::one_of_continuum;
+    if (family) return one_of_continuum;
     const std::size_t states = e_.balanced.angles.size();
-    return states > 1 ? fmt::format(words::reports::one_of_states, states) : "";
+    return states > 1 ? fmt::format(" (one of {} states)", states) : "";
   }
 
   void motion(const BalancedMotion& m) {
@@ -225,28 +238,27 @@ class Text {
       angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
     const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
     if (e_.tilt)
-      item(words::reports::balanced_angles,
-           fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? words::reports::from_couple_unbalance
-                                                                            : words::reports::from_angle_0),
+      item(balanced_angles_text,
+           fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? "{} degree from the couple unbalance{}"
+                                                                            : "{} degree from the rotor's angle 0{}"),
                        angles, states_of_tilt(family)));
     else
-      item(words::reports::balanced_angles,
-           fmt::format(words::reports::from_heavy_side, angles,
-                       family                          ? words::reports::one_of_continuum
-                       : e_.balanced.angles.size() > 1 ? words::reports::and_mirror_image
-                                                       : ""));
+      item(balanced_angles_text, fmt::format("{} degree from the heavy side{}", angles,
+                                             family                          ? one_of_continuum
+                                             : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
+                                                                             : ""));
     const std::string where =
-        (e_.study.speed.driven() ? words::reports::at_constant_speed : "") + (m.less.empty() ? "" : ", " + m.less);
-    const char* more_drag = m.more_drag() > 0   ? "shorter"
-                            : m.more_drag() < 0 ? "longer"
-                                                : words::reports::hardly_changed;
-    item(words::text::approach_to_balance,
-         m.stable ? fmt::format(words::reports::balance_stable, where, either(-1.0 / m.slowest_rate, Dimension::time),
-                                more_drag)
-         : m.grows() ? fmt::format(words::reports::balance_unstable, where, m.slowest_rate)
-                     : fmt::format(words::reports::balance_marginal, where));
-    if (m.left) item("", fmt::format(words::reports::balls_rock, both(*m.left, Dimension::length)));
-    if (m.slowest_if_sliding) item("", words::reports::if_balls_slid + slowest(*m.slowest_if_sliding));
+        (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
+    const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
+    item("approach to balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
+                                                       either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
+                                : m.grows()
+                                    ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
+                                    : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
+    if (m.left)
+      item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
+                           both(*m.left, Dimension::length)));
+    if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
     eigenvalues(m);
   }
 
@@ -258,9 +270,9 @@ class Text {
       return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
     };
     const auto swings = [&](const std::complex<double>& v) { return m.section_period == 0.0 && paired(v); };
-    std::vector<std::array<std::string, 3>> rows{
-        {m.section_period > 0.0 ? words::reports::rate_by_multipliers : "eigenvalue", words::reports::time_constant,
-         scales_ && m.section_period == 0.0 ? "oscillation" : ""}};
+    std::vector<std::array<std::string, 3>> rows{{m.section_period > 0.0 ? "rate, by multipliers" : "eigenvalue",
+                                                  "time constant",
+                                                  scales_ && m.section_period == 0.0 ? "oscillation" : ""}};
     for (const auto& v : m.eigenvalues) {
       if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
       rows.push_back(
@@ -283,41 +295,46 @@ class Text {
   }
 
   std::string slowest(double rate) const {
-    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format(words::reports::growth_rate, rate);
+    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format("growth rate {:.3g}", rate);
   }
 
   void bare_of_tilt(const BareVibration& v, const TiltExplanation& t) {
-    item(words::text::without_balls,
-         by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_centre_of_mass);
+    item(words::text::without_balls, by_direction(v.displacement, Dimension::length) +
+                                         " amplitude of the shaft at the centre of mass, at the final speed");
     if (!t.at_bearings.empty())
-      item("", fmt::format(words::reports::farthest_at_bearings, list(t.at_bearings, Dimension::length)));
+      item("", fmt::format("{} at the bearings, at the farthest", list(t.at_bearings, Dimension::length)));
     if (!t.forces.empty()) item("", fmt::format(words::reports::forces_at_bearings, list(t.forces, Dimension::force)));
-    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_sum +
-                 (t.forces.empty() ? words::reports::no_couple_in_sum : ""));
-    quality(words::reports::grade_in_planes);
+    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on all supports together" +
+                 (t.forces.empty() ? ", in which a couple does not show" : ""));
+    quality(
+        "; in the worse of the outermost bearings' planes, each by its share, as ISO 21940-11 grades it: a figure, not "
+        "a certification");
   }
 
   // `how`: what it is of. Of a rotor that tilts without two bearings, why there is none.
   void quality(const char* how) {
     if (!scales_) return;
     const auto grade = own_balance_grade(e_.study, *e_.speed);
-    item(words::text::balance_quality, grade ? grade_text(*grade) + how : words::reports::no_grade_without_planes);
+    item("balance quality", grade ? grade_text(*grade) + how
+                                  : "none: ISO 21940-11 judges a rotor that tilts in the planes of two "
+                                    "bearings; state rotor.tilt.bearings or rotor.tilt.bearings_at");
   }
 
   void bare(const BareVibration& v) {
     if (e_.tilt) return bare_of_tilt(v, *e_.tilt);
     const double w = std::abs(*e_.speed);
-    item(words::text::without_balls,
-         by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_final_speed);
+    item(words::text::without_balls, by_direction(v.displacement, Dimension::length) + " amplitude at the final speed");
     const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
-    item("", by_direction(rms, Dimension::velocity) + words::reports::rms_velocity);
-    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_force);
-    quality(words::reports::grade_is_a_figure);
+    item("", by_direction(rms, Dimension::velocity) + " rms velocity in one direction");
+    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on the supports");
+    quality("; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
   }
 
   void rules() {
     if (e_.advice.empty()) return;
-    text_ += words::reports::rules_of_thumb;
+    text_ +=
+        "\nRules of thumb: estimates by formulas; docs/explanation/rules-of-thumb.md derives them and says how often "
+        "each is right\n";
     for (const RuleOfThumb& rule : e_.advice) {
       const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
       item(rule.name, verdict + rule.words);
@@ -349,9 +366,10 @@ class Text {
 
 std::string verdict_text(const Explanation& e) {
   if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
-  if (e.motion && !e.motion->stable) return words::reports::yes_not_stable + e.motion->place(e.balanced);
-  if (!e.motion) return words::reports::yes_by_mass + e.no_motion;
-  return e.study.parameters.gravity > 0.0 ? words::reports::yes_but_gravity : "yes";
+  if (e.motion && !e.motion->stable)
+    return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
+  if (!e.motion) return "the balls have the mass and the room, but " + e.no_motion;
+  return e.study.parameters.gravity > 0.0 ? "yes, apart from what gravity adds" : "yes";
 }
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {

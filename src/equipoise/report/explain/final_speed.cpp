@@ -3,7 +3,6 @@
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/report/explain/parts.hpp"
-#include "equipoise/report/words/explain.hpp"
 
 namespace equipoise {
 
@@ -19,13 +18,13 @@ void put_final_speed(Explanation& e) {
     e.speed_words = std::string("the motor's ") + model::holds_no_speed;
     e.speeds_up = true;
   } else if (system.coasts()) {
-    e.speed_words = words::explain::coasting;
+    e.speed_words = "which the rotor has when its motor lets go if nothing has braked it; then nothing holds it";
   } else if (!system.prescribed()) {
     const bool centred = system.parameters().race_is_centred(), loaded = !e.study.speed.load.is_none();
-    e.speed_words = loaded && centred ? words::explain::where_torque_is_load
-                    : loaded          ? words::explain::where_torque_is_load_and_dampers
-                    : centred         ? words::explain::where_torque_vanishes
-                                      : words::explain::where_torque_is_dampers;
+    e.speed_words = loaded && centred ? "where the motor gives what the load takes: a balanced rotor needs no more"
+                    : loaded          ? "where the motor gives what load and supports' dampers take in balance"
+                    : centred         ? "where the motor's torque vanishes: a balanced rotor needs none"
+                                      : "where the motor gives what the supports' dampers take in balance";
   }
 }
 

@@ -10,7 +10,6 @@
 #include "equipoise/core/base/embedded.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
-#include "equipoise/report/words/explain.hpp"
 
 namespace equipoise::embedded {
 extern const Archive new_studies;
@@ -28,9 +27,8 @@ std::string new_study(const std::string& machine, const std::string& argument) {
   const std::string_view text = embedded::new_studies.find(machine);
   const std::vector<std::string> names = new_machines();
   if (text.empty())
-    throw InputError(
-        argument, "", display_text(machine),
-        fmt::format(words::explain::one_of_machines, did_you_mean(machine, names), fmt::join(names, ", ")));
+    throw InputError(argument, "", display_text(machine),
+                     fmt::format("{}must be one of: {}", did_you_mean(machine, names), fmt::join(names, ", ")));
   return std::string(text);
 }
 

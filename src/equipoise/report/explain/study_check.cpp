@@ -20,14 +20,17 @@
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/study_check.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char no_speed_held[] = "; no speed is held in the end";
+constexpr char up_to[] = "up to";
+constexpr char at_most[] = "at most";
 using study::Dimension;
 
 // "12 kg" of a study with scales, else "0.05 R".
@@ -46,43 +49,40 @@ std::string of_both(const std::array<double, 2>& values, Text&& text) {
   return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));
 }
 
-const char* with_balls(const Explanation& e) {
-  return e.study.parameters.balls > 0 ? words::study_check::with_its_balls : "";
-}
+const char* with_balls(const Explanation& e) { return e.study.parameters.balls > 0 ? " with its balls" : ""; }
 
 // Of a machine that tilts: its critical speeds and its speed.
 std::string whirl_words(const Explanation& e) {
   std::string speeds;
   for (const double speed : e.tilt->with_balls.excited())
     speeds += (speeds.empty() ? "" : ", ") + speed_of(e.study, speed);
-  const std::string line = fmt::format(words::study_check::tilting_with_critical_speeds, speeds) + with_balls(e);
-  if (!e.speed) return line + words::study_check::no_speed_held;
-  return line + fmt::format(words::study_check::runs_at_highest, speed_of(e.study, *e.speed),
+  const std::string line = fmt::format(", tilting, critical speeds {}", speeds) + with_balls(e);
+  if (!e.speed) return line + no_speed_held;
+  return line + fmt::format("; runs at {}, {:.3g} times the highest", speed_of(e.study, *e.speed),
                             std::abs(*e.speed) / e.critical_with_balls[1]);
 }
 
 std::string machine_line(const Explanation& e) {
   const Study& s = e.study;
-  std::string line = s.scales ? fmt::format(words::study_check::mass_on, engineering(s.scales->mass, Dimension::mass))
-                              : words::study_check::supports_of;
+  std::string line = s.scales ? fmt::format("{} on ", engineering(s.scales->mass, Dimension::mass)) : "supports of ";
   const auto stiffness = [&](double kappa) {
     return s.scales ? engineering(kappa * study::scale_of(Dimension::stiffness, *s.scales), Dimension::stiffness)
                     : fmt::format("{:.5g} k", kappa);
   };
   line += of_both(s.parameters.stiffness, stiffness);
   if (e.tilt) return line + whirl_words(e);
-  line += fmt::format(words::study_check::with_critical_speed,
-                      of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); })) +
+  line += fmt::format(", critical speed {}", of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); })) +
           with_balls(e);
   const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
   if (e.run_up && !e.run_up->shaken)
-    line += fmt::format(words::study_check::may_stall, speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
+    line +=
+        fmt::format("; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives",
+                    speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
   else if (e.speed)
-    line += fmt::format(words::study_check::runs_at, speed_of(s, *e.speed), std::abs(*e.speed) / critical,
-                        e.critical_with_balls[0] == e.critical_with_balls[1] ? words::study_check::that
-                                                                             : words::study_check::the_higher);
+    line += fmt::format("; runs at {}, {:.3g} times {}", speed_of(s, *e.speed), std::abs(*e.speed) / critical,
+                        e.critical_with_balls[0] == e.critical_with_balls[1] ? "that" : "the higher");
   else
-    line += words::study_check::no_speed_held;
+    line += no_speed_held;
   return line;
 }
 
@@ -92,14 +92,13 @@ std::string unbalance_line(const Explanation& e) {
   std::string line = quantity(s, eccentricity, Dimension::unbalance);
   if (e.tilt)
     line = fmt::format(
-        words::study_check::static_and_couple, line,
+        "{} static and {} couple", line,
         s.scales ? quantity(s, e.tilt->couple, Dimension::inertia) : fmt::format("{:.5g} M R^2", e.tilt->couple));
   if (s.scales) {
-    line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
+    line += fmt::format(", its centre of mass {} from the shaft", quantity(s, eccentricity, Dimension::length));
     if (const auto grade = e.speed ? own_balance_grade(s, *e.speed) : std::nullopt)
-      line +=
-          fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
-                      grade_text(*grade), speed_of(s, *e.speed));
+      line += fmt::format(fmt::runtime(e.tilt ? "; {} in the worse plane of its bearings at {}" : "; {} at {}"),
+                          grade_text(*grade), speed_of(s, *e.speed));
   }
   if (!e.tilt && e.unbalance != eccentricity)
     line += fmt::format(words::study_check::with_the_race, quantity(s, e.unbalance, Dimension::unbalance));
@@ -110,19 +109,19 @@ std::string unbalance_line(const Explanation& e) {
 std::string origin_of_unbalance(const Study& s, const Explanation& e) {
   const std::size_t places = s.sheet.places.size();
   if (!s.sheet.unbalances.empty() || (places > 0 && s.parameters.tilts()))
-    return e.tilt && e.tilt->couple == 0.0
-               ? words::study_check::no_couple
-               : fmt::format(words::study_check::couple_direction, 180.0 / pi * e.study.direction_of_x);
+    return e.tilt && e.tilt->couple == 0.0 ? "; x of the model points at 0 degrees"
+                                           : fmt::format("; x of the model points along the couple, at {:.3g} degrees",
+                                                         180.0 / pi * e.study.direction_of_x);
   if (places == 0) return "";
   const bool own = s.states("rotor.eccentricity") || s.states("rotor.unbalance") || s.states("rotor.balance_grade");
   const double degrees = 180.0 / pi * e.study.direction_of_x;
-  return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", places,
-                     plural(places), degrees == 0.0 ? 0.0 : degrees);
+  return fmt::format("; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points",
+                     own ? "the rotor's own and of " : "", places, plural(places), degrees == 0.0 ? 0.0 : degrees);
 }
 
 // Where balance is possible.
 const char* but_unstable(const Explanation& e) {
-  return e.motion && !e.motion->stable ? words::study_check::balance_unstable : "";
+  return e.motion && !e.motion->stable ? ", but balance is not stable at the final speed" : "";
 }
 
 // Of a machine that tilts: what the balls of each plane can cancel.
@@ -131,21 +130,19 @@ std::string planes_words(const Explanation& e) {
   for (const ExplainedPlane& plane : e.tilt->planes) {
     const std::string at = quantity(e.study, plane.at, Dimension::length);
     const bool too_heavy = plane.least > plane.unbalance;
-    const char* how = too_heavy                      ? words::study_check::no_less_than
-                      : plane.most < plane.unbalance ? words::study_check::at_most
-                                                     : words::study_check::up_to;
-    line += plane.unbalance > 0.0 ? fmt::format(words::study_check::plane_cancels, at, how,
+    const char* how = too_heavy ? "no less than" : plane.most < plane.unbalance ? at_most : up_to;
+    line += plane.unbalance > 0.0 ? fmt::format("; at {} they cancel {} {:.3g} times what there is", at, how,
                                                 (too_heavy ? plane.least : plane.most) / plane.unbalance)
-                                  : fmt::format(words::study_check::nothing_to_cancel_at, at);
+                                  : fmt::format("; at {} there is nothing to cancel", at);
   }
   if (e.balanced.kind != model::BalancedStates::Kind::none) return line + but_unstable(e);
-  return line + fmt::format(words::study_check::balance_impossible_as, e.balanced.reason);
+  return line + fmt::format(": balance is impossible ({})", e.balanced.reason);
 }
 
 std::string balls_line(const Explanation& e) {
   const Study& s = e.study;
   const model::Parameters& p = s.parameters;
-  if (p.balls == 0) return words::study_check::no_balls;
+  if (p.balls == 0) return "none: nothing cancels the unbalance";
   const auto [least, most] = std::minmax_element(p.mass.begin(), p.mass.begin() + p.balls);
   std::string masses = quantity(s, *least, Dimension::mass);
   if (!s.scales) masses = fmt::format("{:.5g} M", *least);
@@ -153,18 +150,16 @@ std::string balls_line(const Explanation& e) {
     masses += s.scales ? " to " + quantity(s, *most, Dimension::mass) : fmt::format(" to {:.5g} M", *most);
   std::string line = fmt::format("{} of {} {}", p.balls, masses, p.balls == 1 ? "" : "each");
   if (line.back() == ' ') line.pop_back();
-  if (s.scales) line += fmt::format(words::study_check::on_a_circle, engineering(s.scales->length, Dimension::length));
+  if (s.scales) line += fmt::format(" on a circle of {}", engineering(s.scales->length, Dimension::length));
   if (e.tilt) return line + planes_words(e);
   const std::string least_cancelled =
       e.least_unbalance == 0.0 ? "0" : quantity(s, e.least_unbalance, Dimension::unbalance);
   const std::string range =
       fmt::format("from {} to {}", least_cancelled, quantity(s, e.largest_unbalance, Dimension::unbalance));
-  if (e.unbalance == 0.0) return line + fmt::format(words::study_check::nothing_to_cancel, range);
+  if (e.unbalance == 0.0) return line + fmt::format("; they cancel {}, and there is nothing to cancel", range);
   const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
-  return line + fmt::format(words::study_check::balls_cancel, range,
-                            can ? words::study_check::up_to : words::study_check::at_most,
-                            e.largest_unbalance / e.unbalance,
-                            can ? but_unstable(e) : words::study_check::balance_impossible_too);
+  return line + fmt::format("; they cancel {}, {} {:.3g} times what there is{}", range, can ? up_to : at_most,
+                            e.largest_unbalance / e.unbalance, can ? but_unstable(e) : ": balance is impossible");
 }
 
 // Under gravity.
@@ -196,20 +191,18 @@ class Assumptions {
 
   void add_release() {
     if (states("release.time") || states("release.speed") || s_.speed.profile == Profile::constant) return;
-    list_.push_back(s_.release_time() == 0.0 ? words::study_check::balls_free_from_start
-                                             : words::study_check::balls_held_in_run_up);
+    list_.push_back(s_.release_time() == 0.0 ? "balls free from t = 0" : "balls held until the run-up is over");
   }
 
   void add_balls() {
     const model::Parameters& p = s_.parameters;
     if (!states("balancer.contact") && !states("balancer.contact_angle") && p.balls > 1)
-      list_.push_back(p.contact_angle > 0.0 ? words::study_check::balls_touch : words::study_check::balls_pass_through);
-    if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format(words::study_check::restitution, p.restitution));
-    add("balancer.rolls", p.rolls ? words::study_check::balls_roll : words::study_check::balls_slide);
-    add("balancer.rolling", words::study_check::no_rolling_resistance);
-    add("balancer.race_offset", words::study_check::race_centred);
-    if (states("balancer.ball_material"))
-      list_.push_back(fmt::format(words::study_check::typical_density, s_.sheet.material));
+      list_.push_back(p.contact_angle > 0.0 ? "balls touch" : "balls pass through each other");
+    if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format("restitution {:.3g}", p.restitution));
+    add("balancer.rolls", p.rolls ? "balls roll without sliding" : "balls are points that slide");
+    add("balancer.rolling", "no rolling resistance");
+    add("balancer.race_offset", "race centred on the shaft");
+    if (states("balancer.ball_material")) list_.push_back(fmt::format("typical density of {}", s_.sheet.material));
   }
 
   void add_drag() {
@@ -217,25 +210,25 @@ class Assumptions {
     const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *s_.ball_details.oil_viscosity);
     if (states("balancer.oil.grade")) {
       const bool mineral = s_.sheet.oil_grade.find("VG") != std::string::npos;
-      list_.push_back(!mineral ? fmt::format(words::study_check::silicone_oil, eta)
+      list_.push_back(!mineral ? fmt::format("oil of {}, by the law of silicone oils", eta)
                       : states("balancer.oil.viscosity_100")
-                          ? fmt::format(words::study_check::oil_of_middle, eta)
-                          : fmt::format(words::study_check::oil_of_middle_and_index, eta));
+                          ? fmt::format("oil of {}, in the middle of its class", eta)
+                          : fmt::format("oil of {}, in the middle of its class, viscosity index 95", eta));
     }
-    list_.push_back(states("balancer.channel_diameter") ? words::study_check::drag_in_a_tube
-                                                        : words::study_check::drag_of_stokes);
+    list_.push_back(states("balancer.channel_diameter") ? "drag of a ball on the axis of a tube"
+                                                        : "Stokes drag, without walls");
   }
 
   void add_supports() {
-    if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back(words::study_check::supports_alike);
-    list_.push_back(words::study_check::viscous_damping);
-    if (s_.parameters.tilts()) list_.push_back(words::study_check::small_slopes);
-    add("rotor.gravity", words::study_check::no_gravity);
+    if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back("supports alike in x and y");
+    list_.push_back("viscous damping");
+    if (s_.parameters.tilts()) list_.push_back("small slopes, balls that stay in their planes");
+    add("rotor.gravity", "no gravity across the shaft");
     if (s_.uncertain.empty()) return;
     list_.emplace_back(medians_assumed);
     if (std::any_of(s_.uncertain.values.begin(), s_.uncertain.values.end(),
                     [](const UncertainValue& v) { return v.has_no_direction(); }))
-      list_.back() += words::study_check::angles_without_direction;
+      list_.back() += ", angles that are drawn all round at a quarter turn";
   }
 
   const Study& s_;
@@ -244,11 +237,12 @@ class Assumptions {
 
 }  // namespace
 
-const char* const medians_assumed = words::study_check::values_at_medians;
+const char* const medians_assumed = "uncertain values at their medians";
 
 std::string StudyCheck::text() const {
   const std::string first = leave_out.empty() ? "" : fmt::format(words::text::leave_out, leave_out) + "\n";
-  return first + fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
+  return first + fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n", machine,
+                             unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
 StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,

@@ -12,7 +12,6 @@
 #include "equipoise/machine/model/bearings.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/explain/parts.hpp"
-#include "equipoise/report/words/explain.hpp"
 
 namespace equipoise {
 
@@ -60,7 +59,7 @@ void explain_tilt(Explanation& e) {
       e.balanced = {.kind = model::BalancedStates::Kind::none, .angles = {}, .reason = tilt.planes.back().why_not};
     }
   } else {
-    e.balanced.reason = e.no_motion = words::explain::no_balls;
+    e.balanced.reason = e.no_motion = "there are no balls";
   }
   e.ball_width.clear();  // of balls in one race; here each plane's have been asked
   if (!e.speed) return;

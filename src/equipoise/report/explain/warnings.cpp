@@ -15,12 +15,17 @@
 #include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/text/carrying_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/words/warnings.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char below_critical_speed[] =
+    "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance";
+constexpr char near_critical_speed[] =
+    "the final speed is within 10 % of a critical speed: vibration is near its largest";
+constexpr char often_unstable_too[] = ", and balance is often unstable";
 using study::Dimension;
 
 constexpr double root_two = 1.4142135623730951;
@@ -33,20 +38,25 @@ class Warnings {
     e.tilt ? planes(*e.tilt) : unbalance({e.unbalance, e.least_unbalance, e.largest_unbalance}, p_.balls == 1);
     sag();
     if (e.motion) motion(*e.motion);
-    if (e.speeds_up) warn(words::warnings::speeds_up_without_end, e.speed_words);
+    if (e.speeds_up) warn("{}; in balance the rotor speeds up without end", e.speed_words);
     torque();
     if (e.run_up) run_up(*e.run_up);
     if (p_.balls == 0) return;
     patience();
     if (!e.tilt) release();  // which no motor has
     room();
-    if (e.gravity_ratio && *e.gravity_ratio >= 1.0) warn(words::warnings::weight_beats_rotation);
+    if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
+      warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
     if (std::string hanging = hanging_text(e.study); !hanging.empty()) e.warnings.push_back(std::move(hanging));
     contact();
     if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
-      warn(words::warnings::restitution_without_contact);
-    if (p_.total_mass() >= 1.0) warn(words::warnings::balls_heavier_than_rotor);
-    if (e.reynolds && *e.reynolds > 1.0) warn(words::warnings::high_reynolds_number, *e.reynolds);
+      warn("balancer.restitution has no effect: balls of no contact_angle pass each other");
+    if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
+    if (e.reynolds && *e.reynolds > 1.0)
+      warn(
+          "the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1, so only near balance, "
+          "where balls creep, and is too small before",
+          *e.reynolds);
   }
 
  private:
@@ -60,11 +70,14 @@ class Warnings {
     const double w = std::abs(*e_.speed);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     const double highest = std::max(e_.critical_alone[0], e_.critical_alone[1]);
-    if (w < lowest && p_.balls > 0) warn(words::warnings::below_critical_speed);
+    if (w < lowest && p_.balls > 0) warn(below_critical_speed);
     if (w >= 0.9 * lowest && w <= 1.1 * highest)
-      warn(words::warnings::near_critical_speed);
+      warn(near_critical_speed);
     else if (w >= lowest && w < root_two * highest)
-      warn(words::warnings::little_isolation, p_.balls > 0 ? words::warnings::often_unstable_too : "");
+      warn(
+          "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
+          "eccentricity unless damping is strong{}",
+          p_.balls > 0 ? often_unstable_too : "");
   }
 
   // Of a rotor that tilts, which has no one speed above which it is quiet.
@@ -75,22 +88,27 @@ class Warnings {
     bool near = false;
     for (const model::WhirlSpeeds* speeds : {&t.alone, &t.with_balls})
       for (const double critical : speeds->excited()) near = near || std::abs(w - critical) <= 0.1 * critical;
-    if (balls && w < lowest) warn(words::warnings::below_critical_speed);
+    if (balls && w < lowest) warn(below_critical_speed);
     if (near)
-      warn(words::warnings::near_critical_speed);
+      warn(near_critical_speed);
     else if (w >= lowest && w < highest)
-      warn(words::warnings::between_critical_speeds, text(highest, Dimension::speed),
-           balls ? words::warnings::adds_to_whirl : "");
+      warn(
+          "the final speed lies between critical speeds, below the highest, {}: whirl of that kind is not yet passed{}",
+          text(highest, Dimension::speed),
+          balls ? ", there balls gather on the heavy side, and balance is often unstable" : "");
     else if (w >= lowest && w < root_two * highest)
-      warn(words::warnings::little_isolation_of_tilt, text(highest, Dimension::speed),
-           balls ? words::warnings::often_unstable_too : "");
+      warn(
+          "the final speed is less than sqrt(2) times the highest critical speed, {}: without balls, whirl of that "
+          "kind is more than twice as wide as at high speeds, if the unbalance excites it and damping is not strong{}",
+          text(highest, Dimension::speed), balls ? often_unstable_too : "");
   }
 
   void contact() {
     const std::vector<double>& widths = e_.ball_width;
     if (p_.balls_collide() || p_.balls < 2 || widths.empty()) return;
     const bool alike = std::all_of(widths.begin(), widths.end(), [&](double w) { return w == widths.front(); });
-    warn(words::warnings::balls_pass_through, alike ? "" : words::warnings::equal_diameters_needed_too);
+    warn("balls pass through each other in this study, which real balls do not: shares and shaking may differ{}",
+         alike ? "" : "; contact needs balls of one balancer.ball_diameter");
   }
 
   void sag() {
@@ -100,11 +118,13 @@ class Warnings {
       for (const double at : e_.study.bearings)
         if (const double there = std::abs(model::static_sag(p_) + at * model::static_slope(p_)); there > most) {
           most = there;
-          where = fmt::format(words::warnings::at_bearing, text(at, Dimension::length));
+          where = fmt::format(" at the bearing at {}", text(at, Dimension::length));
         }
     const std::string sag = text(most, Dimension::length) + where;
     // Springs would have to be longer than the rotor is wide: stiffness, mass or their units are wrong.
-    if (most > 1.0) warn(words::warnings::sags_beyond_race, sag, text(1.0, Dimension::length));
+    if (most > 1.0)
+      warn("the rotor sags by {} under its weight, more than the race's radius, {}: no suspension is as soft as that",
+           sag, text(1.0, Dimension::length));
   }
 
   std::string text(double value, Dimension d) const {
@@ -124,54 +144,55 @@ class Warnings {
     if (one_ball) {
       // Equal by values from a file, which a tilt's sums round.
       if (std::abs(s.own - s.most) > (e_.tilt ? rounding * s.most : 0.0))
-        say(fmt::format(words::warnings::one_ball_cancels_one, text(s.most, Dimension::unbalance),
-                        text(s.own, Dimension::unbalance)));
+        say(fmt::format("one ball cancels {} and no other unbalance; this one is {}",
+                        text(s.most, Dimension::unbalance), text(s.own, Dimension::unbalance)));
       return;
     }
-    const char* these = e_.ball_width.empty() ? words::warnings::balls_together : words::warnings::balls_side_by_side;
+    const char* these = e_.ball_width.empty() ? "all balls together" : "all balls side by side";
     if (s.own > s.most)
-      say(fmt::format(words::warnings::unbalance_too_large, s.own / s.most, these));
+      say(fmt::format("the unbalance is {:.3g} times what {} can cancel", s.own / s.most, these));
     else if (s.own < s.least)
-      say(words::warnings::unbalance_too_small);
+      say("the unbalance is below the least that these balls can balance: they would add one of their own");
     else if (s.own > (1.0 - near) * s.most)
-      say(fmt::format(words::warnings::unbalance_near_most, these));
+      say(fmt::format("the unbalance is within 10 % of the most that {} can cancel", these));
     else if (s.own < (1.0 + near) * s.least)
-      say(words::warnings::unbalance_near_least);
+      say("the unbalance is within 10 % of the least that these balls can balance");
   }
 
   // Of a rotor that tilts each plane has its share; balls in planes without one cannot cancel static and couple.
   void planes(const TiltExplanation& t) {
     if (p_.balls == 0) return;
     if (t.planes.empty() && e_.balanced.kind == model::BalancedStates::Kind::none)
-      warn(words::warnings::balance_impossible, e_.balanced.reason);
+      warn("balance is impossible: {}", e_.balanced.reason);
     for (const ExplainedPlane& plane : t.planes)
       unbalance({plane.unbalance, plane.least, plane.most}, plane.least == plane.most,
-                fmt::format(words::warnings::of_plane, text(plane.at, Dimension::length)));
+                fmt::format("plane at {}: ", text(plane.at, Dimension::length)));
   }
 
   void motion(const BalancedMotion& m) {
     const std::string less = m.place(e_.balanced);
     if (!m.stable) {
       if (m.slowest_rate <= least_rate)
-        warn(words::warnings::not_linearly_stable, less);
+        warn("balance is not linearly stable at the final speed{}: its largest rate is within 1e-9 of 0", less);
       else
-        warn(words::warnings::unstable, less, m.drag_sensitivity < 0.0 ? "more" : "less");
+        warn("balance is unstable at the final speed{}: the balls do not stay there; {} drag makes it less so", less,
+             m.drag_sensitivity < 0.0 ? "more" : "less");
       return;
     }
     const double constant = -1.0 / m.slowest_rate;
     constexpr double patience = 1000.0;
     if (constant > patience)
-      warn(words::warnings::settles_slowly, less, remedy(m));
+      warn("balance settles slowly, in more than 1000 units of time{}{}", less, remedy(m));
     else if (e_.spin_up && constant > *e_.spin_up)
-      warn(words::warnings::slower_than_run_up, less, remedy(m));
+      warn("balance settles more slowly than the rotor spins up{}{}", less, remedy(m));
     if (const RuleOfThumb* drag = rule("drag"); drag && drag->kept == false && m.more_drag() < 0)
-      warn(words::warnings::overdamped, less, remedy(m));
+      warn("the balls are overdamped{}{}", less, remedy(m));
   }
 
   static const char* remedy(const BalancedMotion& m) {
-    return m.more_drag() > 0   ? words::warnings::more_drag_too
-           : m.more_drag() < 0 ? words::warnings::less_drag_too
-                               : words::warnings::drag_hardly_matters_too;
+    return m.more_drag() > 0   ? "; more drag would bring balance sooner"
+           : m.more_drag() < 0 ? "; less drag would bring balance sooner"
+                               : "; the balls' drag hardly changes that";
   }
 
   const RuleOfThumb* rule(const char* id) const {
@@ -184,24 +205,29 @@ class Warnings {
     constexpr std::size_t with_the_motors = 3;  // figures: what is taken, by two unbalances, and what is given
     if (!e_.study.speed.driven() || !torque || torque->figures.size() < with_the_motors) return;
     if (torque->kept == false)
-      warn(words::warnings::motor_may_be_too_weak, torque->words);
+      warn("the motor may be too weak for the critical speed: {}", torque->words);
     else if (!torque->kept)
-      warn(words::warnings::torque_may_not_suffice, torque->words);
+      warn("the motor's torque may not suffice at the critical speed: {}", torque->words);
   }
 
   void run_up(const RunUp& r) {
     const double horizon = choose_horizon(e_.study).time;
     if (r.alone && *r.alone - r.last_piece > horizon)
-      warn(words::warnings::long_run_up, text(*r.alone, Dimension::time), text(r.speed, Dimension::speed),
-           text(horizon, Dimension::time));
+      warn(
+          "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they "
+          "may stay undecided",
+          text(*r.alone, Dimension::time), text(r.speed, Dimension::speed), text(horizon, Dimension::time));
   }
 
   void patience() {
     const StartCost cost = start_cost(e_.study);
     const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
-    if (!cost.bearable()) warn(words::warnings::stiff, key, cost.cause, cost.steps, cost.allowed);
+    if (!cost.bearable())
+      warn("stiff: with {} = {:.4g} a start takes about {:.1g} steps; basin and attractors refuse above {:.3g}", key,
+           cost.cause, cost.steps, cost.allowed);
     const Horizon horizon = choose_horizon(e_.study);
-    if (!horizon.long_enough()) warn(words::warnings::may_stay_undecided, slowness_text(horizon), horizon.time);
+    if (!horizon.long_enough())
+      warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
   }
 
   // Whether a motor reaches the release speed depends on where the balls are held: some starts are tried.
@@ -215,13 +241,16 @@ class Warnings {
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
         clamped.push_back({.what = Restlessness::clamped, .reached = starts.nearest[i], .asked = *study.release.speed});
-    if (!clamped.empty()) warn(words::warnings::balls_never_let_go, tried, clamped.size(), clamped_text(clamped));
+    if (!clamped.empty())
+      warn("of {} starts tried {} never let their balls go: {}", tried, clamped.size(), clamped_text(clamped));
   }
 
   void room() {
     const std::vector<double>& widths = e_.ball_width;
     const double angle = std::accumulate(widths.begin(), widths.end(), 0.0);
-    if (angle > 2.0 * pi) warn(words::warnings::too_many_balls, p_.balls, 100.0 * 2.0 * pi / angle);
+    if (angle > 2.0 * pi)
+      warn("{} balls of this size do not fit into the race: there is room for {:.0f} % of them", p_.balls,
+           100.0 * 2.0 * pi / angle);
   }
 
   Explanation& e_;

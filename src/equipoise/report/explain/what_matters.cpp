@@ -14,7 +14,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
-#include "equipoise/report/words/study_check.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 
 namespace equipoise {
@@ -32,20 +31,20 @@ struct Estimate {
   std::string_view name;
   void (*scale)(model::Parameters&, double);
 };
-constexpr std::string_view drag_name = words::study_check::the_drag;
+constexpr std::string_view drag_name = "the drag of the balls";
 constexpr std::array<Estimate, 5> estimates{{
-    {words::study_check::the_unbalance,
+    {"the unbalance",
      [](model::Parameters& p, double f) {
        p.eccentricity *= f;
        p.tilt.misalignment *= f;
      }},
-    {words::study_check::the_stiffness,
+    {"the stiffness of the supports",
      [](model::Parameters& p, double f) {
        for (double& kappa : p.stiffness) kappa *= f;
        for (auto& direction : p.tilt.stiffness)
          for (double& kappa : direction) kappa *= f;
      }},
-    {words::study_check::the_damping,
+    {"the damping of the supports",
      [](model::Parameters& p, double f) {
        for (double& zeta : p.damping) zeta *= f;
        for (auto& direction : p.tilt.damping)
@@ -55,7 +54,7 @@ constexpr std::array<Estimate, 5> estimates{{
      [](model::Parameters& p, double f) {
        for (double& beta : p.drag) beta *= f;
      }},
-    {words::study_check::the_ball_mass,  // whose drag stays
+    {"the mass of the balls",  // whose drag stays
      [](model::Parameters& p, double f) {
        for (int i = 0; i < p.balls; ++i) {
          p.mass[static_cast<std::size_t>(i)] *= f;
@@ -118,24 +117,24 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
     if (size > worst.size) worst = {size, std::move(words)};
   };
   if (before.can_balance != after.can_balance)
-    consider(2.0 * decides, after.can_balance ? words::study_check::makes_balance_possible
-                                              : words::study_check::makes_balance_impossible);
+    consider(2.0 * decides, after.can_balance ? "makes balance possible" : "makes balance impossible");
   if (before.hangs != after.hangs)
     consider(1.5 * decides,
-             after.hangs ? words::study_check::leaves_balls_hanging : words::study_check::carries_balls_round);
+             after.hangs ? "leaves balls hanging below the shaft" : "gives the balls the drag that carries them round");
   if (before.can_balance && after.can_balance && before.stable != after.stable)
-    consider(decides,
-             after.stable ? words::study_check::makes_balance_stable : words::study_check::makes_balance_unstable);
+    consider(decides, after.stable ? "makes balance stable" : "makes balance unstable");
   if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
-    consider(least_decision, *after.passes < 1.0 ? words::study_check::drag_too_little_to_pass
-                                                 : words::study_check::drag_enough_to_pass);
+    consider(least_decision, *after.passes < 1.0
+                                 ? "leaves the balls so little drag that they may stay at the critical speed"
+                                 : "gives the balls the drag that takes them past the critical speed");
   if (before.margin && after.margin)
     consider(std::abs(std::log(*after.margin / *before.margin)),
-             fmt::format(words::study_check::changes_capacity, *after.margin, *before.margin));
+             fmt::format("lets the balls cancel {:.3g} instead of {:.3g} times what there is", *after.margin,
+                         *before.margin));
   if (before.settles && after.settles)
     consider(std::abs(std::log(*after.settles / *before.settles)),
-             fmt::format(words::study_check::changes_settling, time_of(study, 1.0 / *after.settles),
-                         time_of(study, 1.0 / *before.settles)));
+             fmt::format("lets a deviation from balance fade with a time constant of {} instead of {}",
+                         time_of(study, 1.0 / *after.settles), time_of(study, 1.0 / *before.settles)));
   return worst;
 }
 
@@ -168,27 +167,30 @@ std::vector<Change> changes_of(const Study& study) {
   };
   for (const Estimate& estimate : estimates)
     for (const double sign : {-1.0, 1.0})
-      add(estimate, 1.0 + sign * part, {estimate.name, words::study_check::a_fifth, sign > 0.0, true, study});
+      add(estimate, 1.0 + sign * part, {estimate.name, "20 %", sign > 0.0, true, study});
   for (const double sign : {-1.0, 1.0})
     if (const auto factor = drag_factor(study, sign * kelvin))
       add(*std::find_if(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.name == drag_name; }),
-          *factor, {words::study_check::the_oil_temperature, words::study_check::ten_kelvin, sign > 0.0, false, study});
+          *factor, {"the temperature of the oil", "10 K", sign > 0.0, false, study});
   return changes;
 }
 
 std::string how_judged(const Study& study) {
   const bool tilts = study.parameters.tilts(), weight = study.parameters.gravity > 0.0;
   return fmt::format(
-      words::study_check::how_judged, study.ball_details.oil_kelvin ? words::study_check::and_of_the_oil : "",
-      tilts    ? weight ? words::study_check::and_by_tilt_rules_and_weight : words::study_check::and_by_tilt_rules
-      : weight ? words::study_check::and_by_plane_rules_and_weight
-               : words::study_check::and_by_plane_rules);
+      " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %{}; judged by what the balls "
+      "can cancel{}, not by trajectories)",
+      study.ball_details.oil_kelvin ? ", and of 10 K in the oil if they make or break balance" : "",
+      tilts    ? weight ? " in each plane, linear theory at the final speed and the drag against the balls' weight"
+                        : " in each plane and linear theory at the final speed"
+      : weight ? ", linear theory at the final speed, the drag against capture and that against the balls' weight"
+               : ", linear theory at the final speed and the drag against capture");
 }
 
 }  // namespace
 
 std::string what_matters_most(const Study& study, const StopFlag* stop) {
-  if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
+  if (study.parameters.balls == 0) return "not judged: there are no balls";
   const Measures before = measures_of(study, stop);
   Effect worst;
   std::string which;
@@ -197,14 +199,16 @@ std::string what_matters_most(const Study& study, const StopFlag* stop) {
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);
     const bool stokes = study.ball_details.oil_viscosity && change.of == drag_name;
-    which = fmt::format(words::study_check::change_does, change.of, stokes ? words::study_check::of_a_formula : "",
-                        change.amount, change.more ? "more" : "less", worst.words);
+    which = fmt::format("{}{}: {} {} of it {}", change.of, stokes ? ", here from a formula" : "", change.amount,
+                        change.more ? "more" : "less", worst.words);
   }
-  if (is_set(stop)) return words::study_check::stopped;
-  if (before.unstable && worst.size < decides) return words::study_check::stays_unstable;
+  if (is_set(stop)) return "not known: it was stopped";
+  if (before.unstable && worst.size < decides)
+    return "none of these: with each of them changed alone by 20 % balance stays unstable";
   if (which.empty())
-    return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
-                                                           : words::study_check::stays_impossible;
+    return before.can_balance || !study.parameters.tilts()
+               ? "none of these, by these rules"
+               : "none of these: with each of them changed alone by 20 % balance stays impossible";
   return which + how_judged(study);
 }
 

@@ -17,7 +17,7 @@
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/pages.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -45,10 +45,13 @@ class CapacityDocument {
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
   void picture() {
-    add(Heading{2, r_.axes.empty() ? words::pages::how_often : words::pages::what_it_balances, ""});
-    const std::string caption = r_.axes.empty() ? words::pages::share_at_values
-                                                : fmt::format(words::pages::largest_at_which, key_words(r_.key),
-                                                              100.0 * r_.at_least, r_.asked());
+    add(Heading{2, r_.axes.empty() ? "How often it balances" : "What it balances", ""});
+    const std::string caption =
+        r_.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+                        : fmt::format(
+                              "The largest {} at which {:.4g} % of starts {}. A stroke is its 95 % interval: below its "
+                              "lower end that is shown, above its upper end it is shown to fail.",
+                              key_words(r_.key), 100.0 * r_.at_least, r_.asked());
     add(drawn(capacity_plots(r_), capacity_title(r_), caption, true));
   }
 
@@ -62,25 +65,28 @@ class CapacityDocument {
     for (const CapacityTrial& t : r_.cells.front()->trials) {
       std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
       if (t.unstable)
-        row.insert(row.end(), {number_cell("none"), {words::pages::no_state_attracts}, number_cell("-")});
+        row.insert(row.end(), {number_cell("none"), {"no balanced state attracts"}, number_cell("-")});
       else
         row.insert(row.end(), {share_cell(t.balanced), number_cell(interval(t.balanced)), share_cell(t.undecided)});
       table.rows.push_back(std::move(row));
     }
-    table.caption = words::pages::all_values_tried;
-    add_cell_table(document_, std::move(table), words::pages::json_tells_all);
+    table.caption = "All values that were tried.";
+    add_cell_table(document_, std::move(table), "the JSON answer tells all of them");
   }
 
   void origin() {
-    add(Heading{2, words::pages::how_computed, ""});
+    add(Heading{2, "How it was computed", ""});
     std::vector<std::string> set = keys_of(r_.axes);
     set.push_back(r_.key);
-    std::string text = fmt::format(words::pages::values_halved, key_words(r_.key), r_.from, r_.to,
-                                   r_.unit.empty() ? "" : " " + r_.unit, r_.precision * (r_.to - r_.from));
+    std::string text = fmt::format(
+        "Values of {} from {:.4g} to {:.4g}{} in steps of an eighth of that until one is shown to be too large, then "
+        "halved to {:.3g}; a dip of the share between two of them would be missed. ",
+        key_words(r_.key), r_.from, r_.to, r_.unit.empty() ? "" : " " + r_.unit, r_.precision * (r_.to - r_.from));
     if (!r_.axes.empty()) text += fmt::format("Varied: {}. ", varied_words(r_.axes));
-    text += fmt::format(words::pages::starts_a_value, r_.starts, starts_words(r_.study, drawn_keys(r_.study, set)));
+    text += fmt::format("{} starts a value {}, the same in all.", r_.starts,
+                        starts_words(r_.study, drawn_keys(r_.study, set)));
     text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
-    if (r_.resumed_trials > 0) text += fmt::format(words::pages::trials_from_file, r_.resumed_trials);
+    if (r_.resumed_trials > 0) text += fmt::format("; {} trials from an earlier run's file", r_.resumed_trials);
     add(Paragraph{text + "."});
     add_study(document_, r_.study);
   }

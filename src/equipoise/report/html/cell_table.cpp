@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/words/pages.hpp"
 
 namespace equipoise {
 
@@ -17,7 +16,7 @@ void add_cell_table(Document& document, DocumentTable table, const std::string& 
   table.folded = rows > short_enough;
   if (rows > most) {
     table.rows.resize(most);
-    document.blocks.push_back(Paragraph{fmt::format(words::pages::table_ends, most, rows, all)});
+    document.blocks.push_back(Paragraph{fmt::format("The table ends after {} of {} cells; {}.", most, rows, all)});
   }
   if (table.folded)
     table.caption = fmt::format("All {} cells{}{}", rows, table.caption.empty() ? "" : ". ", table.caption);
@@ -32,7 +31,7 @@ std::string varied_words(const std::vector<SweepAxis>& axes) {
     text += text.empty() ? "" : "; ";
     text += count <= few
                 ? fmt::format("{} {}", key_words(p.key), fmt::join(p.given, ", "))
-                : fmt::format(words::pages::varied_from, key_words(p.key), p.given.front(), p.given.back(), count);
+                : fmt::format("{} from {} to {} ({} values)", key_words(p.key), p.given.front(), p.given.back(), count);
   });
   return text;
 }

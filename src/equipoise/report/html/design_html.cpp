@@ -16,9 +16,8 @@
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/answers/design_words.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
-#include "equipoise/report/words/pages.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/simulation/words/runs.hpp"
+#include "equipoise/report/text/words.hpp"
+#include "equipoise/simulation/rule/words.hpp"
 
 namespace equipoise {
 
@@ -33,16 +32,16 @@ class DesignDocument {
     document_ = page_with(r_.study, verdict.words + " " + verdict.because);
     add(Paragraph{std::string(words::pages::margins) + ": " + verdict.margins});
     if (r_.partial)
-      add(Paragraph{fmt::format(words::pages::stopped_early, r_.chosen && r_.front[*r_.chosen].held_out
-                                                                 ? words::reports::starts_not_seen
-                                                                 : words::reports::starts_of_search),
-                    Tone::open});
+      add(Paragraph{
+          fmt::format("Stopped early: what the search had found by then, judged on {}.",
+                      r_.chosen && r_.front[*r_.chosen].held_out ? "starts that it did not see" : "its own starts"),
+          Tone::open});
     if (r_.chosen) {
       chosen();
       front();
       margins();
     }
-    add_machine(document_, machine_, words::pages::before_chosen);
+    add_machine(document_, machine_, "in the study, before anything is chosen");
     origin();
     return std::move(document_);
   }
@@ -56,19 +55,19 @@ class DesignDocument {
 
   void chosen() {
     const DesignCandidate& best = r_.front[*r_.chosen];
-    add(Heading{2, words::pages::chosen_design, ""});
-    DocumentTable values{{"chosen", "value", words::pages::could_be}};
+    add(Heading{2, "The chosen design", ""});
+    DocumentTable values{{"chosen", "value", "could be"}};
     for (std::size_t k = 0; k < best.settings.size(); ++k)
       values.rows.push_back({{key_words(best.settings[k].key), Tone::plain, false, true},
                              value_cell(best.settings[k].value),
                              {range_words(r_.variables[k])}});
     add(std::move(values));
-    add_drawings(spin_up_plots(r_), words::pages::spin_up_caption, true);
+    add_drawings(spin_up_plots(r_), "The spin-up: piecewise linear, then constant.", true);
     add(figure_table(r_));
     if (!r_.limited_by.empty()) {
       std::string words;
       for (const std::string& w : r_.limited_by) words += (words.empty() ? "" : "; ") + w;
-      add(Paragraph{words::pages::what_limits_it + words + "."});
+      add(Paragraph{"What limits it: " + words + "."});
     }
   }
 
@@ -79,7 +78,7 @@ class DesignDocument {
 
   static std::string range_words(const DesignVariable& v) {
     if (!v.numbers.empty())
-      return fmt::format(words::pages::values_from, v.choices.size(), setting_text(v.choices.front()),
+      return fmt::format("{} values from {} to {}", v.choices.size(), setting_text(v.choices.front()),
                          setting_text(v.choices.back()));
     if (!v.choices.empty()) {
       std::string words;
@@ -89,17 +88,20 @@ class DesignDocument {
     const std::string unit = v.unit.empty() ? "" : " " + v.unit;
     if (!v.spin_up) return fmt::format("{:.4g} to {:.4g}{}", v.low, v.high, unit);
     const std::string slope =
-        v.spin_up->slope ? fmt::format(words::pages::slope_at_most, *v.spin_up->slope, unit,
+        v.spin_up->slope ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
                                        v.spin_up->time_unit.empty() ? words::runs::unit_of_time : v.spin_up->time_unit)
                          : "";
-    return fmt::format(words::pages::points_from, v.spin_up->points, plural(v.spin_up->points), v.low, v.high, unit,
-                       v.spin_up->until, v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
+    return fmt::format("{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}", v.spin_up->points,
+                       plural(v.spin_up->points), v.low, v.high, unit, v.spin_up->until,
+                       v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
   }
 
   void front() {
     if (r_.objectives.size() < 2) return;
-    add(Heading{2, words::pages::what_for_what, ""});
-    add_drawings(front_plots(r_), words::pages::front_caption, true);
+    add(Heading{2, "Trade-offs", ""});
+    add_drawings(front_plots(r_),
+                 "Candidates that no other beats in every objective; bars are 95 % intervals of the vertical axis.",
+                 true);
     add(front_table(r_, key_words));
   }
 
@@ -107,22 +109,25 @@ class DesignDocument {
     if (r_.margins.empty()) return;
     add(Heading{2, words::pages::margins, ""});
     add(margin_table(r_, key_words));
-    add_drawings(margin_plots(r_, 4), words::pages::margin_caption, false);
+    add_drawings(margin_plots(r_, 4), "What becomes of it as one number moves and all others stay.", false);
   }
 
   void origin() {
-    add(Heading{2, words::pages::how_found, ""});
+    add(Heading{2, "How it was found", ""});
     if (std::any_of(r_.history.begin(), r_.history.end(),
                     [&](const DesignStep& step) { return step.value != r_.history.front().value; }))
-      add_drawings(history_plots(r_), words::pages::history_caption, true);
+      add_drawings(history_plots(r_), "The best that was known after so many trajectories.", true);
     std::string text = fmt::format(
-        words::pages::candidates_judged, r_.candidates, design_method_names[static_cast<std::size_t>(r_.method)],
+        "{} candidates by {}, all on the same starts {}; {} trajectories of {}. The front was judged on other starts, "
+        "seed {}. ",
+        r_.candidates, design_method_names[static_cast<std::size_t>(r_.method)],
         starts_words(r_.study, drawn_keys(r_.study)), r_.trajectories, r_.budget, r_.held_out_seed);
     text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
-    if (r_.resumed > 0) text += fmt::format(words::pages::ensembles_from_file, r_.resumed);
+    if (r_.resumed > 0) text += fmt::format("; {} ensembles from an earlier run's file", r_.resumed);
     add(Paragraph{text + "."});
-    if (!r_.proposed.empty()) add(Listing{words::pages::design_proposed, r_.proposed});
-    if (!r_.best_study.empty()) add(Listing{words::pages::chosen_as_study, r_.best_study});
+    if (!r_.proposed.empty())
+      add(Listing{"The study states no [design]; this one was proposed and taken", r_.proposed});
+    if (!r_.best_study.empty()) add(Listing{"The chosen design as a study", r_.best_study});
     add_study(document_, r_.study);
   }
 

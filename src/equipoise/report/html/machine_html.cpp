@@ -23,8 +23,6 @@
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/words/pages.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
@@ -50,13 +48,13 @@ class MachineDocument {
 
   Document make() {
     document_ = page_with(study_, answer_sentence(basin_), verdict());
-    if (basin_.partial) add(Paragraph{words::pages::stopped_machine, Tone::bad});
+    if (basin_.partial) add(Paragraph{"Stopped early: all figures are of the starts that were done.", Tone::bad});
     if (!basin_.note.empty() && study_.parameters.balls > 0)
       add(Paragraph{"Note: " + note_text(study_, basin_.note) + ".", Tone::open});
     changes();
     run_up();
     if (study_.parameters.balls == 0 && basin_.without_balls) {
-      add(Heading{2, words::pages::rotor_alone, ""});
+      add(Heading{2, "The rotor alone", ""});
       add(bare_table(basin_));
       std::string words = bare_words(basin_);
       for (const std::string& sentence : without_balls_words(basin_)) words += " " + sentence;
@@ -68,7 +66,7 @@ class MachineDocument {
       ends();
       way();
     }
-    add_machine(document_, page_, words::pages::in_the_study, true);
+    add_machine(document_, page_, "in the study", true);
     origin();
     return std::move(document_);
   }
@@ -86,7 +84,7 @@ class MachineDocument {
   void changes() {
     DocumentTable table = changes_table(basin_, tried_);
     if (table.rows.empty()) return;
-    add(Heading{2, words::pages::what_to_change, ""});
+    add(Heading{2, "What to change", ""});
     add(std::move(table));
   }
 
@@ -94,7 +92,7 @@ class MachineDocument {
   void run_up() {
     if (page_.runs.empty()) return;
     const bool constant = study_.speed.profile == Profile::constant;
-    add(Heading{2, constant ? words::pages::how_it_shakes : words::pages::how_it_shakes_on_the_way, ""});
+    add(Heading{2, constant ? "How it shakes" : "How it shakes on its way up", ""});
     DrawingRow row;
     row.whole = true;
     row.drawings.push_back({"", run_up_svg(page_), "", ""});
@@ -121,14 +119,14 @@ class MachineDocument {
     const bool limited = !blocks.empty();
     std::vector<Block> standards = standards_blocks(basin_);
     if (!limited && standards.empty()) return;
-    add(Heading{2, !limited ? "Standards" : standards.empty() ? "Limits" : words::pages::limits_and_standards, ""});
+    add(Heading{2, !limited ? "Standards" : standards.empty() ? "Limits" : "Limits and standards", ""});
     for (std::vector<Block>* of : {&blocks, &standards})
       for (Block& block : *of) add(std::move(block));
   }
 
   // Where starts end, and how large peaks are on the way there.
   void ends() {
-    add(Heading{2, words::pages::where_starts_end, ""});
+    add(Heading{2, "Where starts end", ""});
     DrawingRow row;
     row.drawings.push_back({"", shares_svg(page_), "", ""});
     for (const DrawnMotion& motion : page_.motions)
@@ -136,18 +134,23 @@ class MachineDocument {
         row.drawings.push_back(
             {reader_title(motion, physical_), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
     for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back(
-          {capital(d.limited->figure().title) + words::pages::all_starts, distribution_svg(page_, d), "", ""});
+      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty() && !run_up_tells_speed(page_))
-      row.drawings.push_back({words::pages::speed_over_time, speed_svg(page_), "", ""});
-    row.caption = study_.parameters.tilts() ? fmt::format(words::pages::ends_caption_of_tilt,
-                                                          study_.bearings.empty() ? words::pages::at_centre_of_mass
-                                                                                  : words::pages::at_a_bearing)
-                                            : words::pages::ends_caption;
-    row.caption += study_.limits.displacement ? words::pages::limit_dashed : ".";
-    if (page_.motions_left_out > 0) row.caption += fmt::format(words::pages::rarer_not_drawn, page_.motions_left_out);
+      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
+    row.caption =
+        study_.parameters.tilts()
+            ? fmt::format(
+                  "Bars: shares of starts with 95 % intervals. Circles: left, the balls in their races as seen from "
+                  "the turning rotor, that with the largest place along the shaft outermost, with arrows where balls "
+                  "move; right, the path of the shaft {}, as seen from beside the machine, all to one scale",
+                  study_.bearings.empty() ? "at the centre of mass" : "at the outermost bearing that moves more")
+            : "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the "
+              "turning rotor, with a wedge at its heavy side and arrows where balls move; right, the path of the "
+              "rotor's centre as seen from beside the machine, all to one scale";
+    row.caption += study_.limits.displacement ? ", the limit dashed if it lies within the drawing." : ".";
+    if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
     if (page_.starts_drawn < basin_.starts)
-      row.caption += fmt::format(words::pages::first_starts_only, page_.starts_drawn);
+      row.caption += fmt::format(" Peaks and runs are of the first {} starts.", page_.starts_drawn);
     add(std::move(row));
     add(ends_table());
     if (const std::string left = left_unbalance_text(basin_.attractors, study_); !left.empty())
@@ -156,16 +159,16 @@ class MachineDocument {
 
   std::string motion_words(const DrawnMotion& m) const {
     const bool rests = m.r_max < 1e-9;
-    std::string text = rests ? words::pages::centre_on_axis : words::pages::centre_is;
+    std::string text = rests ? "The centre rests on the axis" : "The centre is ";
     if (m.bearing)
-      text = fmt::format(fmt::runtime(rests ? words::pages::shaft_on_axis : words::pages::shaft_is),
+      text = fmt::format(fmt::runtime(rests ? "At {} the shaft rests on the axis" : "At {} the shaft is "),
                          shown_.text(*m.bearing, Dimension::length));
-    if (!rests) text += shown_.range(m.r_min, m.r_max, Dimension::length) + words::pages::off_the_axis;
+    if (!rests) text += shown_.range(m.r_min, m.r_max, Dimension::length) + " off the axis";
     if (study_.speed.driven()) text += fmt::format(" at {}", shown_.text(m.speed, Dimension::speed));
     text += "; " + ball_words(m);
     text += ".";
-    if (m.one_start) text += words::pages::drawn_from_one;
-    if (m.continuum) text += words::pages::one_of_continuum;
+    if (m.one_start) text += " Drawn from the end of one start.";
+    if (m.continuum) text += " One of a continuum of such motions.";
     return text;
   }
 
@@ -181,14 +184,12 @@ class MachineDocument {
                                               : "swing");
     }
     const auto words = [](const std::string& what, bool one) {
-      if (what == "rest") return std::string(one ? words::pages::rests_in_race : words::pages::rest_in_race);
-      if (what == "swing")
-        return std::string(one ? words::pages::swings_about_place : words::pages::swing_about_places);
+      if (what == "rest") return std::string(one ? "rests in the race" : "rest in the race");
+      if (what == "swing") return std::string(one ? "swings about its place" : "swing about their places");
       return (what.starts_with("behind") ? one ? "falls " : "fall " : one ? "runs " : "run ") + what;
     };
     if (std::all_of(does.begin(), does.end(), [&](const std::string& one) { return one == does.front(); }))
-      return does.size() == 1 ? words::pages::the_ball + words(does[0], true)
-                              : words::pages::the_balls + words(does[0], false);
+      return does.size() == 1 ? "the ball " + words(does[0], true) : "the balls " + words(does[0], false);
     std::string text;
     for (std::size_t i = 0; i < does.size(); ++i)
       text += fmt::format("{}ball {} {}", i ? ", " : "", i + 1, words(does[i], true));
@@ -198,10 +199,10 @@ class MachineDocument {
   DocumentTable ends_table() const {
     const bool open = basin_.undecided.count > 0, graded = is_graded(study_);
     DocumentTable table;
-    table.header = {physical_ ? words::text::what_the_balls_do : "outcome", "share", "95 % interval"};
+    table.header = {physical_ ? "what the balls do" : "outcome", "share", "95 % interval"};
     if (open) table.header.push_back("bounds");
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
-    if (graded) table.header.push_back(words::text::balance_quality);
+    if (graded) table.header.push_back("balance quality");
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
     for (const OutcomeShare& o : basin_.outcomes_met()) {
       const Share& s = o.share;
@@ -220,9 +221,13 @@ class MachineDocument {
       }
       table.rows.push_back(std::move(cells));
     }
-    table.caption = words::pages::ends_table_caption;
+    table.caption = "Displacement and velocity at the end, means over the starts of the outcome";
     if (graded)
-      table.caption += study_.parameters.tilts() ? words::pages::grade_in_planes : words::pages::grade_to_compare;
+      table.caption +=
+          study_.parameters.tilts()
+              ? "; balance quality: ISO 21940-11's grade of the unbalance that is left in the plane of the outermost "
+                "bearing that has more of it for its share, for comparison only"
+              : "; balance quality: ISO 21940-11's grade of the unbalance that is left, for comparison only";
     table.caption += ".";
     return table;
   }
@@ -231,7 +236,7 @@ class MachineDocument {
   void way() {
     if (!basin_.transients || basin_.transients->groups.empty() || basin_.transients->groups.front().starts == 0)
       return;
-    add(Heading{2, words::pages::on_the_way, ""});
+    add(Heading{2, "On the way", ""});
     const TransientGroup& all = basin_.transients->groups.front();
     add(way_table(all));
     std::string words;
@@ -246,21 +251,27 @@ class MachineDocument {
   }
 
   std::string runs_caption() const {
-    std::string text = study_.bearings.empty() ? words::pages::runs_caption : words::pages::runs_caption_at_bearings;
+    std::string text =
+        study_.bearings.empty()
+            ? "Distance of the rotor's centre from its place at rest; shaded: swings too fast to be drawn."
+            : "Distance of the shaft from its place at rest, at the bearing where it is largest; shaded: swings too "
+              "fast to be drawn.";
     std::string numbers;
     for (const ShownRun& run : page_.runs) {
       if (run.of == RunOf::bare) {
-        if (!study_.uncertain.empty() && page_.runs.size() > 1) text += words::pages::bare_rotor_is_typical;
+        if (!study_.uncertain.empty() && page_.runs.size() > 1)
+          text += " Without balls: the rotor of the typical start.";
         continue;
       }
-      numbers += fmt::format(words::pages::start_is, numbers.empty() ? "" : ", ", run.index,
-                             run.of == RunOf::median ? words::pages::typical_one : words::text::worst_in_hundred);
+      numbers += fmt::format("{}start {} is the {}", numbers.empty() ? "" : ", ", run.index,
+                             run.of == RunOf::median ? "typical one" : "worst in a hundred");
       // Starts near the boundary of two basins may go another way if the last digit differs.
       constexpr double alike = 0.02;
       if (std::fabs(run.again - run.peak) > alike * run.peak)
-        numbers += fmt::format(words::pages::followed_again, shown_.text(run.again, Dimension::length));
+        numbers += fmt::format(" (followed again with smaller steps, {} within what is shown)",
+                               shown_.text(run.again, Dimension::length));
     }
-    return numbers.empty() ? text : fmt::format(words::pages::of_this_seed, text, numbers);
+    return numbers.empty() ? text : fmt::format("{} With this seed, {}.", text, numbers);
   }
 
   DocumentTable way_table(const TransientGroup& all) const {
@@ -269,10 +280,10 @@ class MachineDocument {
       return l.figure().on_page && !l.by_speed && limits.*l.limit;
     });
     const bool beside = tells_without_balls(basin_);
-    DocumentTable table{{words::pages::all_starts_title, "median", "90 % below", "99 % below"}, {}, "", false, {2}};
-    if (beside) table.header.emplace_back(words::text::no_balls);
+    DocumentTable table{{"all starts", "median", "90 % below", "99 % below"}, {}, "", false, {2}};
+    if (beside) table.header.emplace_back("no balls");
     if (limited) {
-      table.header.insert(table.header.end(), {"limit", words::pages::exceeded_by});
+      table.header.insert(table.header.end(), {"limit", "exceeded by"});
       table.spare.push_back(beside ? 5 : 4);
     }
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
@@ -298,12 +309,15 @@ class MachineDocument {
       table.rows.back().insert(table.rows.back().end(), {limit, exceeded});
     }
     if (beside)
-      table.caption = basin_.without_balls->bare.one ? words::pages::no_balls_one_run : words::pages::no_balls_median;
+      table.caption = basin_.without_balls->bare.one ? "No balls: one run of the same rotor. "
+                                                     : "No balls: median of the first starts' rotors. ";
     if (limits.settled)
-      table.caption += fmt::format(words::pages::settled_means, shown_.text(*limits.settled, Dimension::length));
+      table.caption += fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)
-      table.caption +=
-          fmt::format(words::pages::measured_from_rest, shown_.text(page_.explanation.sag, Dimension::length));
+      table.caption += fmt::format(
+          " Displacements are measured from where the rotor rests, {} below its unloaded springs; forces include its "
+          "weight.",
+          shown_.text(page_.explanation.sag, Dimension::length));
     return table;
   }
 
@@ -319,17 +333,18 @@ class MachineDocument {
 
   // How that is known.
   void origin() {
-    add(Heading{2, words::pages::how_computed, ""});
+    add(Heading{2, "How it was computed", ""});
     std::string text =
         study_.parameters.balls == 0
             ? std::string()
-            : fmt::format(words::pages::starts_followed, basin_.starts, starts_words(study_, drawn_keys(study_)),
+            : fmt::format("{} starts {}, each followed until it is known where it ends (undecided after {}). ",
+                          basin_.starts, starts_words(study_, drawn_keys(study_)),
                           shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
     if (study_.parameters.balls > 0) text += on_one_line(sampling_text(basin_));
     RunWords run{basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds};
     for (const TriedChange& t : tried_) run.seconds += t.seconds, run.cpu_seconds += t.cpu_seconds;
     text += model_words(study_, run);
-    if (basin_.resumed_from > 0) text += fmt::format(words::pages::starts_from_file, basin_.resumed_from);
+    if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
     add(Paragraph{text + "."});
     add_study(document_, study_);
   }

@@ -20,10 +20,7 @@
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/pages.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/report/words/study_check.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -57,9 +54,9 @@ std::string figures_words(const RuleOfThumb& rule, const Study& study) {
 }
 
 DocumentTable advice_table(const Explanation& e) {
-  DocumentTable table{{words::pages::rule_of_thumb, words::pages::estimate_by_formula, "figures"},
+  DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
                       {},
-                      words::pages::formulas_derived_in,
+                      "docs/explanation/rules-of-thumb.md derives these formulas and says how often each is right.",
                       false,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
@@ -77,27 +74,28 @@ class Derived {
   explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
 
   std::vector<std::array<std::string, 2>> rows() const {
-    std::vector<std::array<std::string, 2>> rows{{words::text::critical_speed, speeds()},
-                                                 {"unbalance", unbalance()},
-                                                 {words::text::can_balance, verdict_text(e_)}};
+    std::vector<std::array<std::string, 2>> rows{
+        {"critical speed", speeds()}, {"unbalance", unbalance()}, {"can balance", verdict_text(e_)}};
     if (e_.bare)
       rows.push_back(
           {words::text::without_balls,
-           fmt::format(fmt::runtime(e_.tilt ? words::pages::shakes_by_together : words::pages::shakes_by),
-                       by_direction(e_.bare->displacement, Dimension::length),
-                       by_direction(e_.bare->force, Dimension::force)) +
+           fmt::format(
+               fmt::runtime(e_.tilt
+                                ? "shakes by {} at the centre of mass at the final speed, {} on all supports together"
+                                : "shakes by {} at the final speed, {} on the supports"),
+               by_direction(e_.bare->displacement, Dimension::length), by_direction(e_.bare->force, Dimension::force)) +
                (e_.tilt && !e_.tilt->at_bearings.empty()
-                    ? "; " + fmt::format(words::reports::farthest_at_bearings,
+                    ? "; " + fmt::format("{} at the bearings, at the farthest",
                                          list(e_.tilt->at_bearings, Dimension::length))
                     : "") +
                (e_.tilt && !e_.tilt->forces.empty()
                     ? "; " + fmt::format(words::reports::forces_at_bearings, list(e_.tilt->forces, Dimension::force))
                     : "")});
     if (e_.motion)
-      rows.push_back({words::text::approach_to_balance,
-                      (e_.motion->stable ? fmt::format(words::pages::stable_time_constant,
+      rows.push_back({"approach to balance",
+                      (e_.motion->stable ? fmt::format("stable, slowest time constant {}",
                                                        shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
-                                         : words::pages::not_stable) +
+                                         : "not stable by linear theory") +
                           (e_.motion->less.empty() ? "" : ", " + e_.motion->less)});
     return rows;
   }
@@ -117,17 +115,17 @@ class Derived {
   std::string speeds_of_tilt(const TiltExplanation& t) const {
     const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
       const std::string held = study_.parameters.balls > 0
-                                   ? fmt::format(words::reports::with_balls_held, list(with, Dimension::speed))
+                                   ? fmt::format(", {} with them held", list(with, Dimension::speed))
                                    : std::string();
       return fmt::format(fmt::runtime(words), list(alone, Dimension::speed), held);
     };
     std::string text = t.alone.of_both.empty()
                            ? line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward)
-                           : line(words::reports::whirl_of_both, t.alone.of_both, t.with_balls.of_both);
+                           : line("{} without balls{}", t.alone.of_both, t.with_balls.of_both);
     if (t.alone.of_both.empty() && t.alone.forward.size() == 1)
       text += std::string("; ") + words::reports::one_forward_whirl;
     if (e_.speed)
-      text += fmt::format(words::pages::final_speed_over_highest, shown_.text(*e_.speed, Dimension::speed),
+      text += fmt::format("; final speed {}, {:.3g} times the highest", shown_.text(*e_.speed, Dimension::speed),
                           std::fabs(*e_.speed) / e_.critical_with_balls[1]);
     return text;
   }
@@ -147,13 +145,11 @@ class Derived {
     if (e_.tilt) return speeds_of_tilt(*e_.tilt);
     std::string text = by_direction(e_.critical_alone, Dimension::speed);
     if (study_.parameters.balls > 0)
-      text += words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
-              words::pages::and_with_them;
+      text += " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
     if (e_.speed)
-      text += fmt::format(words::pages::final_speed, shown_.text(*e_.speed, Dimension::speed),
+      text += fmt::format("; final speed {}, {:.3g} times {}", shown_.text(*e_.speed, Dimension::speed),
                           std::fabs(*e_.speed) / std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]),
-                          e_.critical_with_balls[0] == e_.critical_with_balls[1] ? words::study_check::that
-                                                                                 : words::study_check::the_higher);
+                          e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "that" : "the higher");
     return text;
   }
 
@@ -163,15 +159,15 @@ class Derived {
     if (e_.unbalance != study_.parameters.eccentricity)
       text += fmt::format(words::study_check::with_the_race, shown_.text(e_.unbalance, Dimension::unbalance));
     if (study_.parameters.balls > 0)
-      text += fmt::format(words::pages::balls_can_cancel,
+      text += fmt::format("; the balls can cancel {}{}",
                           shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                          e_.ball_width.empty() ? "" : words::text::side_by_side);
+                          e_.ball_width.empty() ? "" : " side by side");
     return text + grade_without_balls();
   }
 
   std::string grade_without_balls() const {
     const auto grade = e_.speed ? own_balance_grade(study_, *e_.speed) : std::nullopt;
-    return grade ? fmt::format(words::pages::grade_without_balls, grade_text(*grade)) : "";
+    return grade ? fmt::format("; {} without balls", grade_text(*grade)) : "";
   }
 
   const Explanation& e_;
@@ -183,7 +179,7 @@ class Derived {
 
 Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict) {
   Document document;
-  document.title = words::pages::page_title + stem_of(study.name);
+  document.title = "Ball balancer: " + stem_of(study.name);
   document.sheet = true;
   if (verdict) document.blocks.push_back(*verdict);
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
@@ -196,26 +192,27 @@ Document page_with(const Study& study, const std::string& answer, const std::opt
 
 void add_missing_cells(Document& document, std::size_t done, std::size_t cells) {
   if (done < cells)
-    document.blocks.push_back(Paragraph{fmt::format(words::pages::cells_missing, done, cells), Tone::bad});
+    document.blocks.push_back(
+        Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done, cells), Tone::bad});
 }
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
   const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
   const std::vector<std::string> instead = drawn_instead(study);
-  return fmt::format(words::pages::at_ball_angles, sampling_method_names[method],
-                     study.sampling.box.empty() ? "" : words::pages::and_in_the_box,
-                     drawn.empty() ? "" : fmt::format(words::pages::with_drawn_anew, fmt::join(drawn, ", ")),
+  return fmt::format("at {} ball angles{}{}, seed {}{}", sampling_method_names[method],
+                     study.sampling.box.empty() ? "" : " and in the box of initial states",
+                     drawn.empty() ? "" : fmt::format(", with {} drawn anew for each", fmt::join(drawn, ", ")),
                      study.sampling.seed,
-                     instead.empty() ? "" : fmt::format(words::pages::not_from_study, fmt::join(instead, ", ")));
+                     instead.empty() ? "" : fmt::format(" (not from {} of the study)", fmt::join(instead, ", ")));
 }
 
 std::string model_words(const Study& study, const RunWords& run) {
   std::string text;
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
-    text = fmt::format(words::pages::speed_law, name_of(study.speed.law));
-  text += fmt::format(words::pages::intervals_and_model,
-                      study.parameters.tilts() ? words::pages::rotor_that_tilts : words::pages::rotor_in_a_plane,
-                      version_string, run.cpu_target);
+    text = fmt::format(" Speed law: {}.", name_of(study.speed.law));
+  text += fmt::format(
+      " Intervals hold with 95 % confidence. The model: {}, docs/explanation/equations.md. equipoise {}, {}",
+      study.parameters.tilts() ? "a rigid rotor that tilts" : "a rotor in a plane", version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)
     text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, plural(run.threads), run.seconds,
@@ -226,11 +223,11 @@ std::string model_words(const Study& study, const RunWords& run) {
 void add_machine(Document& document, const GivenMachine& machine, const std::string& given, bool fold) {
   const auto add = [&](Block block) { document.blocks.push_back(std::move(block)); };
   if (!machine.assumed.empty()) {
-    add(Heading{2, words::pages::what_was_assumed, ""});
+    add(Heading{2, "What was assumed", ""});
     add(ItemList{machine.assumed});
-    if (!machine.matters_most.empty()) add(Paragraph{words::pages::what_matters_most + machine.matters_most + "."});
+    if (!machine.matters_most.empty()) add(Paragraph{"What matters most: " + machine.matters_most + "."});
   }
-  add(Heading{2, words::pages::the_machine, ""});
+  add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", given}};
   for (const GivenTable& of : machine.given) {
     std::string text;
@@ -238,22 +235,22 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
     table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
   }
   add(std::move(table));
-  DocumentTable facts{{"follows", words::pages::without_simulation}};
+  DocumentTable facts{{"follows", "without any simulation"}};
   for (const auto& [name, text] : Derived(machine.explanation).rows())
     facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
   add(std::move(facts));
   DocumentTable rules = advice_table(machine.explanation);
   rules.folded = fold;
-  if (fold) rules.caption = words::pages::rules_of_thumb + rules.caption;
+  if (fold) rules.caption = "Rules of thumb: " + rules.caption;
   if (!rules.rows.empty()) add(std::move(rules));
   for (const std::string& warning : machine.explanation.warnings)
     add(Paragraph{"Beware: " + warning + ".", Tone::open});
 }
 
 void add_study(Document& document, const Study& study) {
-  if (study.scales) document.blocks.push_back(Listing{words::pages::study_physical, to_physical_toml(study)});
+  if (study.scales) document.blocks.push_back(Listing{"The study in full, in physical units", to_physical_toml(study)});
   document.blocks.push_back(
-      Listing{study.scales ? words::pages::study_dimensionless : words::pages::study_in_full, to_toml(study)});
+      Listing{study.scales ? "The same without dimensions, as it was computed" : "The study in full", to_toml(study)});
 }
 
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/pages.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -42,7 +42,7 @@ class SweepDocument {
   Document make() {
     document_ = page_with(r_.study, answer_sentence(r_));
     add_missing_cells(document_, done_, r_.cells.size());
-    if (lost_ > 0) add(Paragraph{fmt::format(words::pages::lost_starts, lost_), Tone::open});
+    if (lost_ > 0) add(Paragraph{fmt::format("{} starts could not be followed to an end.", lost_), Tone::open});
     notes();
     if (done_ > 0) {
       pictures();
@@ -69,19 +69,19 @@ class SweepDocument {
     }
     constexpr std::size_t most = 4;
     for (std::size_t k = 0; k < told.size() && k < most; ++k)
-      add(Paragraph{fmt::format(words::pages::note_of_cells, told[k].second, plural(told[k].second), told[k].first),
+      add(Paragraph{fmt::format("Note of {} cell{}: {}.", told[k].second, plural(told[k].second), told[k].first),
                     Tone::open});
-    if (told.size() > most) add(Paragraph{fmt::format(words::pages::more_notes, told.size() - most)});
+    if (told.size() > most) add(Paragraph{fmt::format("{} more notes of single cells.", told.size() - most)});
   }
 
   void pictures() {
-    add(Heading{2, words::pages::where_starts_end, ""});
+    add(Heading{2, "Where starts end", ""});
     add(sweep_drawing(r_));
     if (const auto peaks = peak_plot(r_)) {
       DrawingRow below;
       below.wide = true;
-      below.drawings.push_back({words::pages::peak_on_the_way, plot_svg(*peaks, words::pages::peaks_along), "", ""});
-      below.caption = words::pages::with_intervals;
+      below.drawings.push_back({"Peak displacement on the way", plot_svg(*peaks, "Peaks along the parameter"), "", ""});
+      below.caption = "With 95 % intervals.";
       add(std::move(below));
     }
   }
@@ -101,7 +101,8 @@ class SweepDocument {
       if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), l.told_in()));
     table.spare.push_back(table.header.size());
     table.header.push_back("starts");
-    if (open_) table.caption = words::pages::bounds_hold;
+    if (open_)
+      table.caption = "Intervals hold only if the undecided starts end elsewhere; bounds hold however they end.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
       if (r_.cells[k]) table.rows.push_back(row_of(k));
     add_cell_table(document_, std::move(table), words::pages::csv_holds_all);
@@ -129,17 +130,20 @@ class SweepDocument {
   }
 
   void origin() {
-    add(Heading{2, words::pages::how_computed, ""});
+    add(Heading{2, "How it was computed", ""});
     const std::string each = least_starts_ == most_starts_
                                  ? fmt::format("{} starts", most_starts_)
-                                 : fmt::format(words::pages::least_to_most_starts, least_starts_, most_starts_);
+                                 : fmt::format("{} to {} starts", least_starts_, most_starts_);
     std::string text = fmt::format("Varied: {}. ", varied_words(r_.axes));
     if (done_ > 0)
-      text += fmt::format(words::pages::cells_followed, done_, each, starts_,
-                          starts_words(r_.study, drawn_keys(r_.study, keys_of(r_.axes))));
-    if (r_.half_width > 0.0) text += fmt::format(words::pages::sampled_until, 100.0 * r_.half_width);
+      text += fmt::format(
+          "{} cells with {} each ({} in all) {}, the same in every cell, each followed until it is known where it "
+          "ends.",
+          done_, each, starts_, starts_words(r_.study, drawn_keys(r_.study, keys_of(r_.axes))));
+    if (r_.half_width > 0.0)
+      text += fmt::format(" Sampled until every share was known to +- {:.3g} %.", 100.0 * r_.half_width);
     text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
-    if (r_.resumed_cells > 0) text += fmt::format(words::pages::cells_from_file, r_.resumed_cells);
+    if (r_.resumed_cells > 0) text += fmt::format("; {} cells from an earlier run's file", r_.resumed_cells);
     add(Paragraph{text + "."});
     add_study(document_, r_.study);
   }

@@ -8,7 +8,6 @@
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
-#include "equipoise/report/words/plots.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
 namespace equipoise {
@@ -81,20 +80,20 @@ std::string branch_plot(const BranchesResult& r, const std::string& title) {
     for (const Stretch& stretch : stretches_of(b))
       for (const Sample& s : stretch.samples) highest = std::max(highest, s.high);
   }
-  legend.push_back({{quiet_ink, "", 1.1, 1.0, true}, words::plots::unstable, LegendEntry::Mark::line});
+  legend.push_back({{quiet_ink, "", 1.1, 1.0, true}, "unstable", LegendEntry::Mark::line});
   constexpr double width = 560.0, height = 380.0;
   const SvgPoint bottom_right{width - 14.0, height - 42.0};
-  Svg svg(width, height, words::plots::where_rotor_ends);
+  Svg svg(width, height, "Where the rotor can end");
   const double low = r.values.front(), high = r.values.back(), margin = high > low ? 0.0 : std::max(0.5 * r.step, 1e-9);
   const double top = 1.08 * std::max(highest, 1e-6);
   const SvgAxes axes(svg, drawing_top_left, bottom_right, {low - margin, high + margin}, {-0.012 * top, top},
-                     {axis_label(r.key)}, {words::plots::rotor_displacement});
+                     {axis_label(r.key)}, {"rotor displacement r / race radius"});
   for (const Branch& b : r.branches) draw_branch(svg, axes, b);
   draw_legend(svg, legend);
   DrawingRow row;
   row.drawings.push_back({"", svg.str(), "", ""});
-  row.caption = words::plots::smallest_to_largest;
-  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? words::plots::partial_early : "")}, row);
+  row.caption = "Every motion from its smallest to its largest displacement: a band where it attracts.";
+  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "")}, row);
 }
 
 }  // namespace equipoise

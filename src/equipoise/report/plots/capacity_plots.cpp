@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -31,8 +30,8 @@ PlotSeries boundary_series(const SweepParameter& x, const std::vector<const Capa
 }  // namespace
 
 std::string capacity_title(const CapacityResult& r) {
-  return fmt::format(words::plots::largest_at_which, r.key, 100.0 * r.at_least, r.asked(),
-                     r.complete() ? "" : words::plots::partial_early);
+  return fmt::format("Largest {} at which {:.4g} % of starts {}{}", r.key, 100.0 * r.at_least, r.asked(),
+                     r.complete() ? "" : " (PARTIAL: stopped early)");
 }
 
 std::vector<Plot> capacity_plots(const CapacityResult& r) {
@@ -42,7 +41,7 @@ std::vector<Plot> capacity_plots(const CapacityResult& r) {
   std::vector<Plot> plots;
   if (r.axes.empty()) {
     Plot plot{"", y_label, "balanced (%)", false, false, true, {}};
-    PlotSeries series{words::plots::balanced_share, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries series{"balanced share", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
     for (const CapacityTrial& t : r.cells.front() ? r.cells.front()->trials : std::vector<CapacityTrial>{}) {
       series.x.push_back(t.value);
       series.y.push_back(100.0 * t.balanced.share);

@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/answers/design_words.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -41,7 +40,7 @@ const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.f
 double leading_number(const StudyValue& value) { return value.string() ? number_in(*value.string()) : value.number(); }
 
 PlotSeries limit_series(const DesignResult& r, std::size_t figure, const PlotSeries& along) {
-  PlotSeries s{words::plots::must_hold, light_colour, PlotSeries::Style::dashed, {}, {}, {}, {}};
+  PlotSeries s{"must hold", light_colour, PlotSeries::Style::dashed, {}, {}, {}, {}};
   for (const DesignLimit& limit : r.limits)
     if (limit.figure == figure && !along.x.empty()) {
       const double bound = shown_value(r.figures[figure], limit.below ? *limit.below : *limit.above);
@@ -60,7 +59,7 @@ std::vector<Plot> front_plots(const DesignResult& r) {
   for (std::size_t g = 1; g < r.objectives.size(); ++g) {
     const std::size_t k = r.objectives[g];
     Plot plot{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
-    PlotSeries front{words::plots::not_beaten, dark_colour, PlotSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries front{"not beaten by any", dark_colour, PlotSeries::Style::points, {}, {}, {}, {}};
     PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
     PlotSeries before{words::design::as_given, "#666666", PlotSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
@@ -100,8 +99,7 @@ std::vector<Plot> spin_up_plots(const DesignResult& r) {
     for (const DesignSetting& s : best->settings) {
       if (s.key != "release.time") continue;
       const double t = leading_number(s.value);
-      plot.series.push_back(
-          {words::plots::balls_let_go, light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
+      plot.series.push_back({"balls let go", light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
     }
     return {plot};
   }
@@ -144,7 +142,7 @@ std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
 
 std::vector<Plot> history_plots(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
-  PlotSeries series{words::plots::best_so_far, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+  PlotSeries series{"best so far", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
   for (const DesignStep& step : r.history) {
     if (step.violation > 0.0 || !std::isfinite(step.value)) continue;
     if (!series.y.empty()) {  // as good until then
@@ -157,7 +155,7 @@ std::vector<Plot> history_plots(const DesignResult& r) {
   if (series.x.empty()) return {};
   series.x.push_back(static_cast<double>(r.trajectories));
   series.y.push_back(series.y.back());
-  return {{"", words::plots::trajectories_followed, figure_label(first), false, true, false, {series}}};
+  return {{"", "trajectories followed", figure_label(first), false, true, false, {series}}};
 }
 
 std::vector<Plot> design_plots(const DesignResult& r) {
@@ -176,7 +174,7 @@ std::string design_title(const DesignResult& r) {
   for (const std::size_t k : r.objectives)
     wanted += fmt::format("{}{} {}", wanted.empty() ? "" : ", ", r.figures[k].up ? "more" : "less",
                           r.figures[k].name.substr(r.figures[k].name.front() == '-' ? 1 : 0));
-  return fmt::format(words::plots::design_for, wanted, r.partial ? words::plots::partial_early : "");
+  return fmt::format("Design for {}{}", wanted, r.partial ? " (PARTIAL: stopped early)" : "");
 }
 
 }  // namespace equipoise

@@ -11,12 +11,13 @@
 #include "equipoise/report/plots/drawings.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/plots.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char at_the_end[] = " at the end";
 using study::Dimension;
 
 constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{264.0, 130.0};
@@ -46,11 +47,10 @@ std::string run_name(const MachinePage& page, const ShownRun& run) {
   if (run.of == RunOf::bare) return words::text::without_balls;
   constexpr std::uint64_t hundred = 100;
   if (run.of == RunOf::worst_in_hundred)
-    return page.starts_drawn >= hundred ? words::text::worst_in_hundred
-                                        : fmt::format(words::plots::worst_of, page.starts_drawn);
+    return page.starts_drawn >= hundred ? "worst in a hundred" : fmt::format("worst of {} starts", page.starts_drawn);
   const bool all = std::none_of(page.runs.begin(), page.runs.end(),
                                 [](const ShownRun& r) { return r.of == RunOf::worst_in_hundred; });
-  return all ? words::text::with_balls : words::plots::typical_half_lower;
+  return all ? "with balls" : "typical start, half peak lower";
 }
 
 // Whether all runs turn alike, to what can be seen of it: a motor may feel what shakes.
@@ -104,7 +104,8 @@ SpeedScale speed_scale(const MachinePage& page) {
 std::string shares_svg(const MachinePage& page) {
   const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
   constexpr double row = 34.0, left = 4.0, right = 300.0, thick = 12.0;
-  Svg svg(right + 8.0, row * static_cast<double>(lines.size()) + 6.0, words::plots::shares_by_outcome);
+  Svg svg(right + 8.0, row * static_cast<double>(lines.size()) + 6.0,
+          "Shares of starts by outcome, with their intervals");
   const auto place = [&](double share) { return left + share * (right - left); };
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const OutcomeShare& line = lines[k];
@@ -133,7 +134,7 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
   for (const auto& outcome : d.outcomes)
     for (std::size_t k = 0; k < bins; ++k) height[k] += outcome.bins[k];
   const double highest = bins == 0 ? 1.0 : *std::max_element(height.begin(), height.end());
-  Svg svg(plot_width, plot_height, fmt::format(words::plots::distribution_of, figure.title));
+  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", figure.title));
   SvgAxes axes(svg, top_left, bottom_right, {d.low, d.high}, {0.0, 1.08 * highest},
                shown.axis(figure.title, d.high, *figure.dimension), {"starts, %", 100.0});
   std::fill(height.begin(), height.end(), 0.0);
@@ -155,8 +156,8 @@ std::string run_words(const MachinePage& page, const ShownRun& run) {
   std::string text = fmt::format("{}: peak {}; ", run_name(page, run), shown.text(run.peak, Dimension::length));
   constexpr double seen = 0.005;  // of the picture's height
   const std::string level = shown.text(run.at_end, Dimension::length);
-  if (run.of == RunOf::bare) return text + level + words::plots::at_the_end;
-  text += reader_title(run.outcome, page.basin.study.scales.has_value()) + words::plots::at_the_end;
+  if (run.of == RunOf::bare) return text + level + at_the_end;
+  text += reader_title(run.outcome, page.basin.study.scales.has_value()) + at_the_end;
   return run.at_end > seen * highest_of(page) ? text + ", " + level : text;
 }
 
@@ -175,7 +176,7 @@ std::string run_up_svg(const MachinePage& page) {
   const SpeedScale speed = speed_scale(page);
   constexpr double width = 720.0, row = 16.0, plot = 160.0, below = 36.0;
   const double top = row * static_cast<double>(page.runs.size()) + (speed.times.empty() ? 14.0 : 44.0);
-  Svg svg(width, top + plot + below, words::plots::displacement_over_time);
+  Svg svg(width, top + plot + below, "Displacement of the rotor over time, with and without balls");
   SvgAxes axes(svg, {52.0, top}, {width - 8.0, top + plot}, time, {0.0, 1.15 * std::max(highest, 1e-12)},
                shown.axis("time", time.high, Dimension::time), shown.axis("displacement", highest, Dimension::length));
   if (!speed.times.empty()) axes.scale_above(speed.times, speed.words, speed.label);
@@ -202,7 +203,7 @@ std::string speed_svg(const MachinePage& page) {
   }
   const double room = 0.08 * std::max(speed.high - speed.low, 1e-12);
   speed = {speed.low < 0.0 ? speed.low - room : 0.0, speed.high > 0.0 ? speed.high + room : 0.0};
-  Svg svg(plot_width, plot_height, words::plots::speed_over_time);
+  Svg svg(plot_width, plot_height, "Speed of the rotor over time");
   SvgAxes axes(svg, top_left, bottom_right, time, speed, shown.axis("time", time.high, Dimension::time),
                shown.axis("speed", std::max(speed.high, -speed.low), Dimension::speed));
   const std::size_t lines =

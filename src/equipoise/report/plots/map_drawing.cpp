@@ -16,8 +16,6 @@
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/plots/map_words.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
-#include "equipoise/report/words/pages.hpp"
-#include "equipoise/report/words/plots.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
@@ -38,7 +36,7 @@ AxisWords words_for(const Study& study, const SliceAxis& axis) {
 
 std::string words_of(const Study& study, const SliceAxis& axis) {
   const AxisWords words = words_for(study, axis);
-  return fmt::format(words::plots::axis_from_to, words.label, axis.low * words.factor, axis.high * words.factor);
+  return fmt::format("{} from {:.4g} to {:.4g}", words.label, axis.low * words.factor, axis.high * words.factor);
 }
 
 // Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and
@@ -89,10 +87,10 @@ std::string map_svg(const BasinSlice& map) {
     if (c.share.count > 0)
       legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), part_words(c.share.share))});
   const std::vector<Border> borders{
-      {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, words::plots::balance_ends},
-      {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, words::plots::balance_changes}};
+      {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, "balance ceases to exist"},
+      {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, "stability of balance changes"}};
   add_to_legend(legend, borders);
-  Svg svg(drawing_width, below_plane, words::plots::outcome_at_points);
+  Svg svg(drawing_width, below_plane, "Outcome of the start at every point of the plane");
   const SvgAxes axes(svg, plane_top_left, plane_bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));
   svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(map)));  // over the grid
@@ -108,14 +106,14 @@ DrawingRow map_drawing(const BasinSlice& whole) {
   DrawingRow row;
   row.wide = true;
   row.drawings.push_back({"", map_svg(map), "", ""});
-  row.caption = fmt::format(words::pages::start_at_every_point, words_of(map.study, map.x), words_of(map.study, map.y),
-                            fixed_angles_text(map));
-  if (map.every > 1) row.caption += fmt::format(words::pages::one_of_points, map.every);
+  row.caption = fmt::format("One start at every point: {}; {}{}. Darker pixels were decided later.",
+                            words_of(map.study, map.x), words_of(map.study, map.y), fixed_angles_text(map));
+  if (map.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", map.every);
   return row;
 }
 
 std::string map_plot(const BasinSlice& map, const std::string& title) {
-  const std::string note = map.complete ? "" : words::plots::stopped_early;
+  const std::string note = map.complete ? "" : "PARTIAL: stopped early";
   return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), note}, map_drawing(map));
 }
 

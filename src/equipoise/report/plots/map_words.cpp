@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -28,7 +27,7 @@ std::string angle_text(double angle) {
 std::string fixed_angles_text(const BasinSlice& map) {
   const int balls = map.study.parameters.balls;
   const bool drawn = draws_starts(map);
-  std::string text = drawn ? words::plots::angles_drawn : "";
+  std::string text = drawn ? ", ball angles drawn at every point" : "";
   for (int i = 1; i <= balls; ++i) {
     const std::string key = fmt::format("initial.phi_{}", i);
     if (key == map.x.key || key == map.y.key) continue;

@@ -8,7 +8,6 @@
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/drawings.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -135,7 +134,9 @@ void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
 
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
   const model::Parameters& p = page.basin.study.parameters;
-  Svg svg(330.0, 170.0, motion.name + (p.tilts() ? words::plots::balls_and_shaft : words::plots::balls_and_centre));
+  Svg svg(330.0, 170.0,
+          motion.name + (p.tilts() ? ": balls in their races and the way of the shaft"
+                                   : ": balls in the race and the way of the rotor's centre"));
   draw_race(svg, p);
   draw_balls(svg, page, motion);
   draw_centre(svg, page, motion);

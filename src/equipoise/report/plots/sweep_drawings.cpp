@@ -14,8 +14,6 @@
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/sweep_layers.hpp"
-#include "equipoise/report/words/pages.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -108,16 +106,15 @@ std::string stacked_svg(const SweepResult& r) {
   const std::vector<std::size_t> cells = cells_along(r);
   std::vector<LegendEntry> entries;
   for (const SweepLayer& layer : layers) entries.push_back({{"", layer.colour}, layer.name});
-  if (!cells.empty())
-    entries.push_back({{"#1b1f24", "", 1.5}, words::plots::balanced_interval, LegendEntry::Mark::line});
-  Svg svg(drawing_width, drawing_height, words::plots::shares_along);
+  if (!cells.empty()) entries.push_back({{"#1b1f24", "", 1.5}, "balanced: 95 % interval", LegendEntry::Mark::line});
+  Svg svg(drawing_width, drawing_height, "Shares of starts by outcome along the parameter");
   const SweepParameter& p = r.axes.front().parameters.front();
   std::vector<double> x, sum(cells.size(), 0.0);
   for (const std::size_t k : cells) x.push_back(p.values[k]);
   const bool lone = x.size() == 1;
   const AxisExtent across = x.empty() ? AxisExtent() : widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
   SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
-               {words::plots::share_of_starts});
+               {"share of starts, %"});
   for (const SweepLayer& layer : layers) {
     std::vector<double> next = sum;
     for (std::size_t i = 0; i < cells.size(); ++i) next[i] += 100.0 * layer.share[cells[i]];
@@ -143,7 +140,7 @@ std::string heat_svg(const SweepResult& r, std::size_t first) {
   const std::vector<std::size_t> columns = rising(x.values), rows = rising(y.values);
   HeatGrid grid{.columns = columns.size(), .rows = rows.size()};
   constexpr double scale_top = 282.0;
-  Svg svg(drawing_width, scale_top + 16.0, words::plots::share_over_two);
+  Svg svg(drawing_width, scale_top + 16.0, "Balanced share of the starts over two parameters");
   for (std::size_t j = 0; j < rows.size(); ++j)
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (const auto& cell = r.cells[first + rows[j] * columns.size() + columns[i]])
@@ -165,7 +162,8 @@ void add_heat_maps(DrawingRow& row, const SweepResult& r) {
     row.drawings.push_back(
         {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r, k * cells), "", ""});
   if (outer.values.size() > most)
-    row.caption += fmt::format(words::pages::more_not_drawn, outer.values.size() - most, key_words(outer.key));
+    row.caption +=
+        fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, key_words(outer.key));
 }
 
 }  // namespace
@@ -174,7 +172,8 @@ DrawingRow sweep_drawing(const SweepResult& r) {
   DrawingRow row;
   row.wide = r.axes.size() < 3;
   row.large = !row.wide;
-  row.caption = r.axes.size() == 1 ? words::pages::stacked_caption : words::pages::balanced_share_of_cells;
+  row.caption = r.axes.size() == 1 ? "Shares of starts, stacked; strokes: 95 % interval of the balanced share."
+                                   : "Balanced share of the starts in every cell, in per cent where there is room.";
   if (r.axes.size() == 1)
     row.drawings.push_back({"", stacked_svg(r), "", ""});
   else if (r.axes.size() == 2)
@@ -186,7 +185,7 @@ DrawingRow sweep_drawing(const SweepResult& r) {
 
 std::string sweep_plot(const SweepResult& r, const std::string& title) {
   return plot_file(title,
-                   {parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : words::plots::partial_cells)},
+                   {parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : " (PARTIAL: cells are missing)")},
                    sweep_drawing(r));
 }
 
@@ -211,7 +210,7 @@ std::optional<Plot> peak_plot(const SweepResult& r) {
     plot.series.push_back(std::move(series));
   };
   add(0, "median", dark_colour);
-  add(1, words::plots::most_stay_below, light_colour);
+  add(1, "90 % of starts stay below", light_colour);
   if (const auto& limit = r.study.limits.displacement; limit && !cells.empty()) {
     const double at = *limit * words.factor;
     const std::vector<double> ends{p.values[cells.front()], p.values[cells.back()]};

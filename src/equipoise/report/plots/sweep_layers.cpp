@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -27,8 +26,7 @@ std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
       const NoAttractor& n = told_of(outcome);
       if (const Share* s = cell.of(n.code); s && s->count > 0) add(order, n.name, n.code, s->share);
     }
-    if (cell.lost() > 0)
-      add(last + 2, words::plots::diverged_or_failed, diverged_code, cell.diverged.share + cell.failed.share);
+    if (cell.lost() > 0) add(last + 2, "diverged or failed", diverged_code, cell.diverged.share + cell.failed.share);
   }
   std::vector<SweepLayer> list;
   for (auto& [order, layer] : layers) list.push_back(std::move(layer));

@@ -18,11 +18,12 @@
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char drift_of_the_balls[] = "drift of the balls";
 
 // The smallest share that is missed with a probability of at most `miss`.
 double detection_limit(std::uint64_t starts, double miss) {
@@ -45,11 +46,13 @@ const OutcomeShare& share_of(const AttractorsResult& r, int id) {
 // How rare an attractor may be and still be missed: only decided starts tell.
 std::string search_text(const AttractorsResult& r) {
   const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
-  std::string text = fmt::format(words::reports::starts_searched, starts, decided);
-  if (decided > 0) text += fmt::format(words::reports::missed_with_probability, detection_limit(decided, least_miss));
+  std::string text = fmt::format("{} starts searched, {} decided", starts, decided);
+  if (decided > 0)
+    text += fmt::format(": an attractor with a share above {:.2g} of such starts is missed with probability below 1e-9",
+                        detection_limit(decided, least_miss));
   text += ".\n";
   if (undecided > 0)
-    text += fmt::format(words::reports::undecided_may_hide,
+    text += fmt::format("{} of all starts stayed undecided: attractors missing here may hold up to that share.\n",
                         percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
   return text;
 }
@@ -80,7 +83,7 @@ std::string events_text(const Attractor& a, int balls) {
   if (!first.empty())
     text += fmt::format("{}{}{} {}", text.empty() ? "" : "; then ", text_of(first),
                         first.size() < m.events.size() ? ", ..." : "",
-                        periodic ? words::reports::in_one_period : words::reports::never_the_same_again);
+                        periodic ? "in one period" : "and so on, without repeating");
   return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
 }
 
@@ -90,13 +93,13 @@ std::string section_text(const Study& study, const TableUnits& units) {
   if (system.autonomous()) return "";
   const model::Parameters& p = study.parameters;
   std::string text =
-      fmt::format(words::reports::a_strobe_is, p.gravity != 0.0 ? "a revolution" : words::reports::half_a_revolution);
+      fmt::format("One strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
   if (system.prescribed())
     text += fmt::format(", {:.5f}{}", system.section_period() * units.time, study.scales ? " s" : "");
   if (p.gravity != 0.0)
-    text += fmt::format(words::reports::displacement_from_rest, model::static_sag(p) * units.length,
-                        study.scales ? " mm" : "");
-  return text + words::reports::multipliers_over_the_period;
+    text += fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
+                        model::static_sag(p) * units.length, study.scales ? " mm" : "");
+  return text + "; multipliers are over the period, without one of 1.\n";
 }
 
 }  // namespace
@@ -115,7 +118,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
                   "r min" + units.r,
                   "mean",
                   "r max" + units.r,
-                  words::reports::drift_of_the_balls + units.drift,
+                  drift_of_the_balls + units.drift,
                   "stability"};
   const bool driven = r.basin.study.speed.driven();
   const auto put_motor = [&](std::vector<std::string>& row, const std::vector<std::string>& texts) {
@@ -145,8 +148,8 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
     table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
   }
   // Without these in this order where the terminal is narrow.
-  for (const char* title : {words::reports::drift_of_the_balls, "kind", "stability", "speed", "period", "mean", "r min",
-                            "power", "torque", "+-", "copies"})
+  for (const char* title :
+       {drift_of_the_balls, "kind", "stability", "speed", "period", "mean", "r min", "power", "torque", "+-", "copies"})
     for (std::size_t k = 0; k < table.header.size(); ++k)
       if (table.header[k].starts_with(title)) table.spare.push_back(k);
   text += table_text(table, style) + "\n";
@@ -154,10 +157,12 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
   for (const Attractor& a : r.attractors) notes += events_text(a, balls);
   notes += left_unbalance_text(r.basin.attractors, r.basin.study);
   if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.basin.study, r.basin.note));
-  if (r.basin.partial) notes += fmt::format(words::reports::partial_search, r.basin.starts, r.basin.asked);
+  if (r.basin.partial)
+    notes += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
+                         r.basin.starts, r.basin.asked);
   notes += search_text(r);
-  notes += fmt::format(words::reports::attractors_made_with, r.basin.study.sampling.seed, computed_text(r.basin),
-                       version_string);
+  notes +=
+      fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
   return text + lines_filled(notes, style);
 }
 

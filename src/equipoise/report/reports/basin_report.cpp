@@ -23,12 +23,12 @@
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char known_after[] = "known after";
 
 // Times as in the note; null if a lifetime may be infinite.
 Json chaos_json(const BasinResult& r) {
@@ -51,7 +51,7 @@ std::string decided_text(const BasinResult& r) {
     if (counts[k] > 0)
       text += fmt::format("{}{} {:.2f} %", text.empty() ? "" : ", ", decided_by_names[k],
                           100.0 * static_cast<double>(counts[k]) / static_cast<double>(r.starts));
-  return text.empty() ? "" : fmt::format(words::reports::decided_by, text);
+  return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
 }
 
 // Shares of starts that passed the resonance, that did not, and for which this is unknown.
@@ -61,27 +61,30 @@ std::string passage_text(const BasinResult& r) {
   const bool from_above = std::fabs(r.study.speed.initial) >= above;
   const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
   std::string text =
-      fmt::format(words::reports::passed_resonance,
-                  from_above ? words::reports::above_the_resonance : words::reports::through_the_resonance,
+      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                  from_above ? "Above the resonance in the end" : "Came through the resonance",
                   percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
-  if (held.count > 0) text += fmt::format(words::reports::held_below, part(held));
+  if (held.count > 0) text += fmt::format("; held below: {}", part(held));
   const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
   if (open > 0)
-    text += fmt::format(words::reports::passage_not_known,
+    text += fmt::format("; not known yet: {}, undecided and slower when last seen",
                         percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
   if (open > 0 && (passed.least > 0.0 || passed.most < 1.0))
-    text += words::reports::surely_through + bounds_text(passed);
+    text += "; through, whatever the others do: " + bounds_text(passed);
   return text + ".\n";
 }
 
 // Whether collisions of balls mattered.
 std::string contact_text(const Share& met) {
-  if (met.count == 0) return words::reports::no_contact;
-  return fmt::format(words::reports::contact, percent(met.share, digits_for(met)), interval(met));
+  if (met.count == 0)
+    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+  return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
+                     percent(met.share, digits_for(met)), interval(met));
 }
 
 std::string stopped_basin_text(const BasinResult& r) {
-  return fmt::format(words::reports::partial_basin, r.starts, r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
+  return fmt::format("PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n", r.starts,
+                     r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
 }
 
 std::string run_text(const BasinResult& r, std::span<const TriedChange> tried) {
@@ -89,22 +92,22 @@ std::string run_text(const BasinResult& r, std::span<const TriedChange> tried) {
   if (r.study.parameters.balls == 0) return fmt::format("{}; equipoise {}\n", computed_text(r), version_string);
   double seconds = 0.0, cpu_seconds = 0.0;
   for (const TriedChange& t : tried) seconds += t.seconds, cpu_seconds += t.cpu_seconds;
-  const std::string more = tried.empty() ? "" : fmt::format(words::reports::changes_took, seconds, cpu_seconds);
+  const std::string more =
+      tried.empty() ? "" : fmt::format("; the changes judged: {:.2f} s, {:.2f} s CPU", seconds, cpu_seconds);
   return fmt::format("{} starts{}; {}, {:.0f} starts/s{}; equipoise {}\n", r.starts, seed, computed_text(r),
                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, more, version_string);
 }
 
 // The rotor alone.
 std::string bare_text(const BasinResult& r, const TextStyle& style) {
-  if (!r.without_balls) return words::reports::partial_nothing_known;
+  if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
   std::string text = filled("", bare_words(r), style) + "\n" + table_text(bare_table(r), style);
   for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
   return text + "\n" + standards_text(r, style);
 }
 
 std::string end_name(const BasinResult& r, const OutcomeShare& o) {
-  return o.id == stalled_code ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
-                              : o.name;
+  return o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name;
 }
 
 // Without rows for what no start came to: none_words() names those.
@@ -114,17 +117,17 @@ DocumentTable outcome_table(const BasinResult& r) {
   const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  DocumentTable table{{physical ? words::text::what_the_balls_do : "outcome", words::reports::share_and_interval}};
+  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
     table.header.push_back(title);
   };
   column(open, "bounds", false);
-  column(t, fmt::format(words::reports::rms_at_end, velocity.name), false);
-  column(true, physical ? words::reports::known_after_seconds : words::reports::known_after, true);
+  column(t, fmt::format("RMS at end, {}", velocity.name), false);
+  column(true, physical ? "known after, s" : known_after, true);
   column(true, "starts", true);
-  column(even, words::reports::as_good_as, true);
+  column(even, "as good as", true);
   const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
     std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
     if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
@@ -161,19 +164,19 @@ std::string none_words(const BasinResult& r) {
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
     of_ends = r.of(o.id);
-    ends.push_back(o.id == undecided_code ? words::reports::was_undecided : end_name(r, o));
+    ends.push_back(o.id == undecided_code ? "was undecided" : end_name(r, o));
   }
   if (!of_ends) return "";
   const auto each = [](std::size_t count) { return count > 1 ? "each " : ""; };
   // Names of motions may hold commas.
-  std::string text = words::reports::no_start;
-  if (!motions.empty()) text += fmt::format("{}{}", words::reports::came_to, fmt::join(motions, "; "));
+  std::string text = "No start ";
+  if (!motions.empty()) text += fmt::format("{}{}", "came to: ", fmt::join(motions, "; "));
   if (!motions.empty() && open)
-    text += fmt::format(words::reports::at_most_whatever_undecided, each(motions.size()),
+    text += fmt::format(" ({}at most {}, however the undecided starts end)", each(motions.size()),
                         percent(of_motions->most, digits_for(*of_motions)));
-  if (!motions.empty()) text += words::reports::and_none;
+  if (!motions.empty()) text += "; and none ";
   for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "" : k + 1 < ends.size() ? ", " : " or ") + ends[k];
-  return text + fmt::format("{} ({}{}).", open ? words::reports::while_followed : "",
+  return text + fmt::format("{} ({}{}).", open ? " while followed" : "",
                             each(open ? ends.size() : motions.size() + ends.size()), interval(*of_ends));
 }
 
@@ -181,10 +184,18 @@ std::string outcome_text(const BasinResult& r, const TextStyle& style) {
   const std::string table = table_text(outcome_table(r), style);
   std::string text = table + "\n";
   if (const std::string none = none_words(r); !none.empty()) text += filled("", none, style);
-  if (r.undecided.count > 0) text += filled("", words::reports::bounds_hold, style);
+  if (r.undecided.count > 0)
+    text += filled(
+        "",
+        "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they end.",
+        style);
   // A narrow table has no such column.
-  if (table.substr(0, table.find('\n')).find(words::reports::known_after) != std::string::npos)
-    text += filled("", fmt::format(words::reports::known_after_means, r.study.scales ? "" : ", in 1/omega_c"), style);
+  if (table.substr(0, table.find('\n')).find(known_after) != std::string::npos)
+    text += filled("",
+                   fmt::format("Known after: mean time until the outcome is certain, from when the drive no longer "
+                               "changes and the balls are free{}.",
+                               r.study.scales ? "" : ", in 1/omega_c"),
+                   style);
   return text + "\n";
 }
 
@@ -195,7 +206,10 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (const auto verdict = verdict_of(r, tried)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
   if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r, tried), style);
-  if (r.starts == 0) return text + lines_filled(words::reports::partial_no_shares + run_text(r, tried), style);
+  if (r.starts == 0)
+    return text + lines_filled("PARTIAL: stopped before the first start was decided; there are no shares.\n" +
+                                   run_text(r, tried),
+                               style);
   text += outcome_text(r, style);
   for (const std::vector<Block>& group : balancer_blocks(r)) text += blocks_text(group, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);

@@ -15,7 +15,6 @@
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
@@ -93,7 +92,7 @@ std::string existence_text(const BranchesResult& r, const Branch& branch) {
   const bool begin = begin_is_known(r, branch), end = end_is_known(r, branch);
   if (begin && end) return range_text(branch, whole);
   const char* where = begin ? " above" : end ? " below" : "";
-  return fmt::format(words::reports::seen_not_followed, whole.begin == whole.end ? "at " : "from ",
+  return fmt::format("seen {}{}, not followed further{}", whole.begin == whole.end ? "at " : "from ",
                      range_text(branch, whole), where);
 }
 
@@ -122,8 +121,9 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   std::string text = lines_filled(study_heading(r.study), style);
   const std::string label = parameter_label(r.key);
   const std::string key = label == r.key ? r.key : fmt::format("{} ({})", r.key, label);
-  text +=
-      lines_filled(fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
+  text += lines_filled(fmt::format("along {}: {:.12g} to {:.12g}, {} values\n\n", key, r.values.front(),
+                                   r.values.back(), r.values.size()),
+                       style);
   const bool physical = r.study.scales.has_value();
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}};
   for (const Branch& b : r.branches)
@@ -141,10 +141,15 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   table.spare = {2, 5, 1};
   text += table_text(branches, style) + "\n" + table_text(table, style);
   if (events.empty()) text += "  none\n";
-  std::string notes = fmt::format(words::reports::range_may_go_on, r.values.front(), r.values.back(), r.starts);
-  if (r.partial) notes += words::reports::partial_branches;
-  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, plural(r.threads), r.cpu_target,
-                       version_string);
+  std::string notes = fmt::format(
+      "\nA range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way "
+      "between, {} random starts and the pilot were searched. Attractors to which fewer come are not listed, nor those "
+      "that exist only between two of these values. States that you give are followed too.\n",
+      r.values.front(), r.values.back(), r.starts);
+  if (r.partial)
+    notes += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
+  notes += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, plural(r.threads),
+                       r.cpu_target, version_string);
   return text + lines_filled(notes, style);
 }
 
@@ -171,12 +176,13 @@ std::string branches_json(const BranchesResult& r) {
 
 std::string branches_csv(const BranchesResult& r) {
   const int balls = r.study.parameters.balls;
-  std::string text = fmt::format(words::reports::csv_branches, version_string, r.key,
-                                 r.partial ? words::reports::csv_partial_early : "");
+  std::string text = fmt::format("# equipoise {}: attractors along {}{}\n", version_string, r.key,
+                                 r.partial ? ", PARTIAL: stopped early" : "");
   text += csv_study(r.study);
   for (const Branch& b : r.branches)
     for (const BranchEvent& e : b.events)
-      text += fmt::format(words::reports::csv_event, b.id, name_of(e.change), name_of(e.cause), e.low, e.high);
+      text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
+                          e.low, e.high);
   text += r.key + ",id,name,alias,kind,stable";
   for (const MotionNumber& f : motion_numbers) text += std::string(",") + f.name;
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);

@@ -19,7 +19,6 @@
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -49,9 +48,11 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
   DocumentTable table;
   table.header = parameter_titles(r.axes, words);
   table.header.insert(table.header.end(),
-                      {column_title(words(r.key), r.unit), "between", words::reports::undecided_at_most, "trials"});
+                      {column_title(words(r.key), r.unit), "between", "undecided at most", "trials"});
   table.spare = {table.header.size() - 1};
-  table.caption = words::reports::between_means;
+  table.caption =
+      "Between: at the first value the share is large enough with 95 % confidence, however the undecided starts end; "
+      "at the second it is too small with 95 % confidence.";
   bool unknown = false;
   const auto end = [&](const std::optional<double>& value) {
     unknown = unknown || !value;
@@ -74,8 +75,8 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
     add_row(capacity_value_text(r, cell), {cell.shown_low(r.at_least), cell.shown_high(r.at_least), cell.trials.size()},
             share_cell(open).text);
   }
-  if (!r.complete()) table.caption += words::reports::open_means;
-  if (unknown) table.caption += words::reports::unknown_means;
+  if (!r.complete()) table.caption += " Of an open one the capacity is not known between the two values.";
+  if (unknown) table.caption += " ?: no value tried says so.";
   return table;
 }
 
@@ -84,14 +85,17 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   set.push_back(r.key);
   std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
   text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += lines_filled(
-      fmt::format(words::reports::largest_at_which, r.key, 100.0 * r.at_least, r.asked(), sought_text(r)), style);
+  text += lines_filled(fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key,
+                                   100.0 * r.at_least, r.asked(), sought_text(r)),
+                       style);
   text += table_text(capacity_table(r, key_itself), style);
-  std::string notes = fmt::format(words::reports::located_to, in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete()) notes += words::reports::partial_cells;
-  if (r.resumed_trials > 0) notes += fmt::format(words::reports::trials_from_earlier, r.resumed_trials);
-  notes += fmt::format(words::reports::capacity_made_with, r.starts, r.study.sampling.seed, computed_text(r),
-                       version_string);
+  std::string notes =
+      fmt::format("Located to {}; a dip of the share between two of the values tried would be missed.\n",
+                  in_unit(r, four_digits(r.precision * (r.to - r.from))));
+  if (!r.complete()) notes += "PARTIAL: stopped before all cells were done.\n";
+  if (r.resumed_trials > 0) notes += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
+  notes += fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
+                       r.study.sampling.seed, computed_text(r), version_string);
   return text + lines_filled(notes, style);
 }
 
@@ -119,8 +123,9 @@ std::string capacity_json(const CapacityResult& r) {
 }
 
 std::string capacity_csv(const CapacityResult& r) {
-  std::string text = fmt::format(words::reports::csv_capacity, version_string, r.key, r.at_least, r.starts,
-                                 r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
+  std::string text = fmt::format(
+      "# equipoise {}: largest {} at which a share of {} of {} starts {}, searched from {}{}\n", version_string, r.key,
+      r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   visit_done(r.cells, [&](std::size_t index, const CapacityCell& cell) {
     text += csv_values(r.axes, index);

@@ -12,12 +12,13 @@
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char starts_within_all_limits[] = "starts within all limits";
 
 std::string points(double difference) { return fmt::format("{:+.2f}", 100.0 * difference); }
 
@@ -25,8 +26,7 @@ std::string interval_text(const ShareDifference& d) { return fmt::format("{} to 
 
 // Means of transients, and how much more the second has.
 DocumentTable figures_table(const ComparisonResult& r) {
-  DocumentTable table{
-      {words::reports::mean_of_starts, "first", "second", "second - first", "open"}, {}, "", false, {4}};
+  DocumentTable table{{"mean of starts", "first", "second", "second - first", "open"}, {}, "", false, {4}};
   bool open = false;
   for (const ComparedFigure& f : r.figures) {
     const MeanDifference& m = f.mean;
@@ -38,9 +38,10 @@ DocumentTable figures_table(const ComparisonResult& r) {
                 fmt::format("{:+.3g} ± {}", m.difference, std::isfinite(half) ? fmt::format("{:.2g}", half) : "?"),
                 fmt::format("{}, {}", f.first_open, f.second_open)}));
   }
-  table.caption = fmt::format(words::reports::means_of,
-                              r.common ? words::reports::differences_by_start : words::reports::independent_samples,
-                              open ? words::reports::open_figures : "");
+  table.caption = fmt::format(
+      "Means and 95 % intervals of {}.{}", r.common ? "differences start by start" : "independent samples",
+      open ? " Open: starts of the first and of the second whose figure is without bound; the means are of the others."
+           : "");
   if (!open)
     for (auto& row : table.rows) row.pop_back();
   if (!open) table.header.pop_back();
@@ -51,21 +52,20 @@ DocumentTable figures_table(const ComparisonResult& r) {
 }  // namespace
 
 std::string verdict(const ComparisonResult& r) {
-  if (r.starts == 0) return words::reports::nothing_to_compare;
-  if (!r.limits && !r.balanced) return words::reports::neither_balances;
+  if (r.starts == 0) return "No start of both is done: there is nothing to compare (basin -o keeps what it has done).";
+  if (!r.limits && !r.balanced) return "No start of either ends balanced.";
   const ShareDifference& d = r.limits ? r.limits->difference : r.shares[*r.balanced].difference;
   const double low = r.limits ? r.limits->surely_low : r.surely_low,
                high = r.limits ? r.limits->surely_high : r.surely_high;
-  const char* does = !r.limits         ? words::reports::balances
-                     : r.limits->alike ? words::reports::keeps_every_limit
-                                       : words::reports::keeps_its_own_limits;
-  const char* starts = r.limits ? words::reports::starts_within_all_limits : words::reports::balanced_starts;
-  const std::string by = fmt::format(words::reports::by_points, points(d.difference), interval_text(d));
-  if (low > 0.0) return fmt::format(words::reports::second_more_often, does, by);
-  if (high < 0.0) return fmt::format(words::reports::second_less_often, does, by);
+  const char* does = !r.limits ? "balances" : r.limits->alike ? "keeps every limit" : "keeps its own limits";
+  const char* starts = r.limits ? starts_within_all_limits : "balanced starts";
+  const std::string by = fmt::format("by {} points ({})", points(d.difference), interval_text(d));
+  if (low > 0.0) return fmt::format("The second {} more often, {}.", does, by);
+  if (high < 0.0) return fmt::format("The second {} less often, {}.", does, by);
   if (d.low > 0.0 || d.high < 0.0)
-    return fmt::format(words::reports::difference_open, starts, by, points(low), points(high));
-  return fmt::format(words::reports::no_difference, starts, interval_text(d));
+    return fmt::format("Open: the difference in {} is {}, but undecided starts could undo it ({} to {}).", starts, by,
+                       points(low), points(high));
+  return fmt::format("No difference in {} is shown: {} points.", starts, interval_text(d));
 }
 
 std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
@@ -73,26 +73,25 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
                                    study_heading(r.second) + uncertain_text(r.second)),
                        style);
-  DocumentTable table{{"outcome", "first", "second", "difference", words::reports::interval_in_points}};
+  DocumentTable table{{"outcome", "first", "second", "difference", "95 % interval, points"}};
   const auto row = [&](const std::string& name, const auto& s) {
     table.rows.push_back(row_of("lnnnn", {name, percent(s.first.share, 2), percent(s.second.share, 2),
                                           points(s.difference.difference), interval_text(s.difference)}));
   };
-  if (r.limits) row(words::reports::starts_within_all_limits, *r.limits);
+  if (r.limits) row(starts_within_all_limits, *r.limits);
   for (const ComparedShare& s : r.shares)
     if (s.first.count > 0 || s.second.count > 0) row(reader_title(s, r.first.scales.has_value()), s);
   text += table_text(table, style) + "\n";
   if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
   std::string notes;
   if (r.changed && r.starts > 0) {
-    notes += fmt::format(words::reports::common_end_differently, r.changed->count, r.starts,
+    notes += fmt::format("{} of {} common starts end differently: {} ({})\n", r.changed->count, r.starts,
                          percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
-    for (const ChangedFate& c : r.changes)
-      notes += fmt::format(words::reports::from_one_to_other, c.starts, c.from, c.to);
+    for (const ChangedFate& c : r.changes) notes += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
   } else if (!r.common) {
-    notes += fmt::format(words::reports::compared_as_independent, r.why_not_common);
+    notes += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
   }
-  if (r.partial) notes += words::reports::partial_comparison;
+  if (r.partial) notes += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
   return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
 }
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/design_words.hpp"
@@ -18,7 +18,6 @@
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -65,7 +64,7 @@ std::string fails_text(const DesignMargin& m) {
   std::string text;
   if (!m.fails_below.empty()) text = "below: " + m.fails_below;
   if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
-  return text.empty() ? words::reports::nothing_tried_fails : text;
+  return text.empty() ? "nothing that was tried" : text;
 }
 
 // By how much the search thought the chosen design better than the held-out starts say; empty if no different.
@@ -77,8 +76,8 @@ std::string optimism_text(const DesignResult& r) {
   const double gain = r.figures[k].up ? search - held_out : held_out - search;
   const std::string found = estimate_text(r.figures[k], search);
   if (!std::isfinite(gain) || found == estimate_text(r.figures[k], held_out)) return "";
-  return fmt::format(words::reports::search_thought, best.search.starts, found, figure_words(r.figures[k], true),
-                     gain > 0.0 ? words::reports::was_optimistic : words::reports::was_pessimistic);
+  return fmt::format("; on the {} starts of the search it was {} ({}), {}", best.search.starts, found,
+                     figure_words(r.figures[k], true), gain > 0.0 ? "which was optimistic" : "which was pessimistic");
 }
 
 }  // namespace
@@ -95,14 +94,17 @@ DocumentTable front_table(const DesignResult& r, KeyWords words) {
     for (DocumentCell& cell : row) cell.tone = r.chosen == m ? Tone::good : Tone::plain;
     table.rows.push_back(std::move(row));
   }
-  if (r.objectives.size() > 1) table.caption = words::reports::chosen_is_marked;
+  if (r.objectives.size() > 1)
+    table.caption =
+        "The chosen one is marked: it lies nearest to the best of every objective, each scaled by the front's own "
+        "range.";
   return table;
 }
 
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  DocumentTable table{{"figure", words::design::as_given, "chosen", words::reports::must_be_title}, {}, "", false, {3}};
+  DocumentTable table{{"figure", words::design::as_given, "chosen", "must be"}, {}, "", false, {3}};
   const DesignSample* before = r.before ? &*r.before : nullptr;
   for (std::size_t k = 0; k < now.figures.size(); ++k) {
     table.rows.push_back(row_of(
@@ -117,16 +119,15 @@ DocumentTable figure_table(const DesignResult& r) {
   table.rows.push_back(
       row_of("lnnt", {figure_words(undecided), before ? estimate_with_interval(undecided, before->undecided) : "-",
                       estimate_with_interval(undecided, now.undecided), ""}));
-  table.caption = fmt::format(words::reports::over_starts, now.starts,
-                              best.held_out ? words::reports::search_did_not_see : words::reports::of_the_search,
+  table.caption = fmt::format("With 95 % intervals, over {} starts{}, seed {}{}.", now.starts,
+                              best.held_out ? " that the search did not see" : " of the search",
                               best.held_out ? r.held_out_seed : r.search_seed, optimism_text(r));
   return table;
 }
 
 DocumentTable margin_table(const DesignResult& r, KeyWords words) {
   const DesignFigure& first = r.figures[r.objectives.front()];
-  DocumentTable table{{words::reports::varied_alone, "chosen", words::reports::may_go_from, "to",
-                       words::reports::near_it, words::reports::what_fails_beyond}};
+  DocumentTable table{{"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}};
   for (const DesignMargin& m : r.margins) {
     const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
     table.rows.push_back(row_of(
@@ -134,12 +135,12 @@ DocumentTable margin_table(const DesignResult& r, KeyWords words) {
         {words(margin_name(m.key)), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
          ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
          ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_to) : "-", estimate_text(first, m.effect),
-         ordered ? fails_text(m) : words::reports::choices_have_no_ends}));
+         ordered ? fails_text(m) : "choices have no ends"}));
   }
-  table.caption =
-      fmt::format(words::reports::margins_mean,
-                  r.limits.empty() ? words::reports::until_objective_worse : words::reports::until_requirement_fails,
-                  figure_words(first));
+  table.caption = fmt::format(
+      "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
+      r.limits.empty() ? "Until the first objective is shown to be worse." : "Until a requirement fails.",
+      figure_words(first));
   return table;
 }
 
@@ -148,17 +149,18 @@ namespace {
 std::string required_text(const DesignResult& r, const TextStyle& style) {
   std::string text;
   for (const DesignLimit& limit : r.limits)
-    text += fmt::format("{}{} {}", text.empty() ? words::reports::must_be : "; ",
-                        figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit));
+    text += fmt::format("{}{} {}", text.empty() ? "Must be: " : "; ", figure_words(r.figures[limit.figure], true),
+                        limit_text(r.figures[limit.figure], limit));
   return text.empty() ? "" : filled("", text + ".", style);
 }
 
 std::string stopped_design_text(const DesignResult& r) {
   const bool checked = r.chosen && r.front[*r.chosen].held_out;
-  std::string text = fmt::format(words::reports::partial_design,
-                                 checked ? words::reports::starts_not_seen : words::reports::starts_of_search);
-  if (r.trajectories >= r.budget) return text + words::reports::checks_still_to_make;
-  return text + fmt::format(words::reports::trajectories_left, r.budget - r.trajectories, r.budget);
+  std::string text = fmt::format("\nPARTIAL: stopped; what the search had found by then, judged on {}. ",
+                                 checked ? "starts that it did not see" : "its own starts");
+  if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.\n";
+  return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.\n",
+                            r.budget - r.trajectories, r.budget);
 }
 
 }  // namespace
@@ -166,25 +168,26 @@ std::string stopped_design_text(const DesignResult& r) {
 std::string design_text(const DesignResult& r, const TextStyle& style) {
   std::string text =
       design_verdict_text(r, style) + lines_filled(study_heading(r.study) + uncertain_text(r.study), style);
-  if (!r.proposed.empty()) text += words::reports::design_proposed + r.proposed;
+  if (!r.proposed.empty()) text += "The study states no [design]; proposed [design]:\n" + r.proposed;
   if (r.front.empty()) return text;
   text += r.proposed.empty() ? "" : "\n";
-  text += fmt::format(words::reports::chosen_is_starred, r.front.size() == 1
-                                                             ? words::reports::best_candidate
-                                                             : fmt::format(words::reports::not_beaten, r.front.size()));
+  text += fmt::format(
+      "{}, * the chosen one:\n",
+      r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
   text +=
       table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style) + required_text(r, style);
   if (!r.limited_by.empty()) {
-    text += words::reports::what_limits_it;
+    text += "\nWhat limits it:\n";
     for (const std::string& words : r.limited_by) text += filled("  ", words, style);
   }
   if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, thing_of), style);
   if (r.partial) text += lines_filled(stopped_design_text(r), style);
-  if (r.resumed > 0) text += fmt::format(words::reports::ensembles_from_earlier, r.resumed);
-  return text + lines_filled(fmt::format(words::reports::design_made_with, r.candidates, plural(r.candidates),
-                                         design_method_names[static_cast<std::size_t>(r.method)], r.trajectories,
-                                         r.budget, computed_text(r), version_string),
-                             style);
+  if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
+  return text +
+         lines_filled(fmt::format("\n{} candidate{} by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
+                                  plural(r.candidates), design_method_names[static_cast<std::size_t>(r.method)],
+                                  r.trajectories, r.budget, computed_text(r), version_string),
+                      style);
 }
 
 std::string design_json(const DesignResult& r) {
@@ -217,7 +220,8 @@ std::string design_json(const DesignResult& r) {
 
 std::string design_csv(const DesignResult& r) {
   std::string text =
-      fmt::format(words::reports::csv_front, version_string, r.partial ? ", PARTIAL" : "") + csv_study(r.study);
+      fmt::format("# equipoise {}: candidates that no other beats{}\n", version_string, r.partial ? ", PARTIAL" : "") +
+      csv_study(r.study);
   std::string titles;
   for (const DesignVariable& v : r.variables) titles += csv_text(v.key) + ",";
   for (const DesignFigure& f : r.figures) {

@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
 std::string inspection_text(const Inspection& i) {
   std::string text = fmt::format("{}: {}, {} bytes", i.path, i.kind.empty() ? "results" : i.kind, i.bytes);
-  if (!i.version.empty()) text += fmt::format(words::reports::of_version, i.version);
+  if (!i.version.empty()) text += fmt::format(", of equipoise {}", i.version);
   if (i.complete) text += *i.complete ? ", complete" : ", NOT complete";
   text += "\n";
   if (!i.damage.empty()) text += fmt::format("DAMAGE: {}\n", i.damage);

@@ -15,16 +15,14 @@
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
 namespace {
 
 std::string axis_text(const char* letter, const SliceAxis& a, int every) {
-  return fmt::format(words::reports::map_axis, letter, a.key, a.low, a.high, a.pixels,
-                     every > 1 ? fmt::format(words::reports::pixels_apart, every) : "");
+  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}\n", letter, a.key, a.low, a.high, a.pixels,
+                     every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
 }
 
 std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
@@ -37,13 +35,16 @@ std::string scales_text(const SliceFigures& f) {
   std::string values;
   for (const LocalExponent& e : f.local_exponents)
     values += fmt::format("{}{:.2f}", values.empty() ? "" : ", ", e.value);
-  return fmt::format(words::reports::exponent_scales, f.local_exponents.front().from, f.local_exponents.back().to,
-                     values);
+  return fmt::format(
+      "The exponent is that of distances from {} to {} pixels; from each distance to its double it is {}.\n",
+      f.local_exponents.front().from, f.local_exponents.back().to, values);
 }
 
 // Where balls start that neither an axis nor a link places.
 std::string starts_text(const BasinSlice& map) {
-  if (draws_starts(map)) return fmt::format(words::reports::pixels_draw_angles, map.study.sampling.seed);
+  if (draws_starts(map))
+    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
+                       map.study.sampling.seed);
   std::string text;
   for (int i = 1; i <= map.study.parameters.balls; ++i) {
     const std::string key = fmt::format("initial.phi_{}", i);
@@ -54,8 +55,7 @@ std::string starts_text(const BasinSlice& map) {
                           map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
   }
   if (text.empty()) return text;
-  text = fmt::format(words::reports::pixels_start_with, text,
-                     states_angles(map.study) ? "" : words::reports::evenly_spread);
+  text = fmt::format("All pixels start with {}{}.\n", text, states_angles(map.study) ? "" : ", evenly spread");
   const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
   const std::string together = as_stated ? coincident_text(map.study) : "";
   return together.empty() ? text : text + "Note: " + together + ".\n";
@@ -79,10 +79,15 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
 std::string making_text(const BasinSlice& map) {
   std::string text;
   if (map.pixels_left_out > 0)
-    text += fmt::format(fmt::runtime(map.study.parameters.balls_collide() ? words::reports::overlaps_left_out
-                                                                          : words::reports::pixels_left_out),
-                        map.pixels_left_out);
-  if (map.pixels_kept > 0) text += fmt::format(words::reports::pixels_from_output, map.pixels_kept);
+    text += fmt::format(
+        fmt::runtime(
+            map.study.parameters.balls_collide()
+                ? "In {} pixels balls would overlap, which is not a start; shares and figures leave them out.\n"
+                : "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them "
+                  "out.\n"),
+        map.pixels_left_out);
+  if (map.pixels_kept > 0)
+    text += fmt::format("{} pixels read from the output, where an earlier run left them.\n", map.pixels_kept);
   return text;
 }
 
@@ -96,29 +101,34 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
   text = answer + lines_filled(text + starts_text(map), style) + "\n";
-  DocumentTable table{
-      {"code", physical ? words::text::what_the_balls_do : "outcome", "pixels", words::reports::of_the_map}};
+  DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}};
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
                                          fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
   const bool any = open_pixels(map) < counted_pixels(map);
   if (map.complete || any) text += table_text(table, style);
-  const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
-                              figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
-                              figure_text(words::text::basin_entropy, f.basin_entropy) +
-                              figure_text(words::reports::boundary_basin_entropy, f.boundary_basin_entropy) +
-                              (f.balanced_radius ? fmt::format(words::reports::around_balanced,
-                                                               words::reports::balanced_within, *f.balanced_radius)
-                                                 : "");
+  const std::string figures =
+      figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
+      figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
+      (f.balanced_radius
+           ? fmt::format("{:<25} {:.3f} rad around balanced angles\n", "all balanced within", *f.balanced_radius)
+           : "");
   std::string notes = text.ends_with("\n\n") ? "" : "\n";
-  if (!figures.empty()) notes += figures + scales_text(f) + words::reports::figures_mean;
+  if (!figures.empty())
+    notes += figures + scales_text(f) +
+             "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels. A boundary "
+             "entropy above log 2 = 0.693 indicates a fractal boundary.\n\n";
   notes += making_text(map);
   if (!map.complete)
-    notes += any ? fmt::format(words::reports::partial_map, open_pixels(map), counted_pixels(map))
-                 : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
+    notes += any ? fmt::format(
+                       "PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel "
+                       "comes to an outcome, the most if all do.\n",
+                       open_pixels(map), counted_pixels(map))
+                 : fmt::format("PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.\n",
+                               map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept);
   notes +=
-      fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),
+      fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
                   now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
   return text + lines_filled(notes, style);
 }

@@ -9,7 +9,6 @@
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
@@ -18,19 +17,19 @@ namespace {
 std::string distribution_text(const UncertainValue& v) {
   switch (v.kind) {
     case DistributionKind::uniform:
-      return fmt::format(words::text::uniform, v.text(v.numbers[0]), v.text(v.numbers[1]));
+      return fmt::format("uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
     case DistributionKind::loguniform:
-      return fmt::format(words::text::log_uniform, v.text(v.numbers[0]), v.text(v.numbers[1]));
+      return fmt::format("log-uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
     case DistributionKind::normal: {
       const std::string cut =
-          v.between ? fmt::format(words::text::cut_to, v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
-      return fmt::format(words::text::normal, v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
+          v.between ? fmt::format(", cut to {} to {}", v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
+      return fmt::format("normal, mean {}, standard deviation {}{}", v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
     }
     case DistributionKind::values:
       break;
   }
   constexpr std::size_t most_shown = 6;
-  std::string text = words::text::one_of;
+  std::string text = "one of ";
   for (std::size_t k = 0; k < std::min(v.numbers.size(), most_shown); ++k)
     text += (k ? ", " : "") + v.text(v.numbers[k]);
   return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
@@ -44,7 +43,7 @@ std::string uncertain_text(const Study& study, const std::vector<std::string>& s
   std::string text;
   for (const UncertainValue& v : study.uncertain.values)
     if (std::find(set.begin(), set.end(), v.key) == set.end())
-      text += fmt::format(words::text::drawn_with_each_start, v.key, distribution_text(v));
+      text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
   text += drawn_instead_text(study);
   return text.empty() ? text : text + "\n";
 }
@@ -52,24 +51,25 @@ std::string uncertain_text(const Study& study, const std::vector<std::string>& s
 std::string sensitivity_text(const SensitivityResult& r) {
   std::string text;
   if (r.inputs.empty()) {
-    text = r.rows == 0
-               ? words::text::nothing_followed
-               : fmt::format(words::text::depends_on_nothing, 2 * r.rows, r.balanced.count == 0 ? "none" : "all");
+    text = r.rows == 0 ? "What balance depends on: nothing was followed to the end.\n"
+                       : fmt::format("What balance depends on: nothing; of {} starts {} balanced.\n", 2 * r.rows,
+                                     r.balanced.count == 0 ? "none" : "all");
   } else {
     DocumentTable table;
-    table.header = {words::text::balance_depends_on, words::text::first_order, "95 % interval", "total",
-                    "95 % interval"};
+    table.header = {"balance depends on", "first order", "95 % interval", "total", "95 % interval"};
     for (const auto& [key, indices] : r.inputs)
-      table.rows.push_back(row_of("tntnt", {key == start_input ? words::text::where_start_begins : key,
-                                            fmt::format("{:.2f}", indices.first.value), range_text(indices.first),
-                                            fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
-    table.caption = words::text::indices_mean;
+      table.rows.push_back(row_of(
+          "tntnt", {key == start_input ? "where the start begins" : key, fmt::format("{:.2f}", indices.first.value),
+                    range_text(indices.first), fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
+    table.caption =
+        "First order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
+        "known;\ntotal: the part that is left if all else is.";
     text = table_text(table);
   }
-  text += fmt::format(words::text::balanced_of_rows, r.evaluations, r.rows,
+  text += fmt::format("{} starts in {} rows, {} of the independent starts balanced ({})", r.evaluations, r.rows,
                       percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));
-  if (r.undecided > 0) text += fmt::format(words::text::undecided_not_balanced, r.undecided);
-  return text + (r.partial ? words::text::partial_rows : ".\n\n");
+  if (r.undecided > 0) text += fmt::format("; {} undecided ones count as not balanced", r.undecided);
+  return text + (r.partial ? ". PARTIAL: stopped before all rows were done.\n\n" : ".\n\n");
 }
 
 void to_json(Json& json, const InputSensitivity& input) {

@@ -17,7 +17,6 @@
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
@@ -81,7 +80,7 @@ std::string others_text(const Columns& columns) {
   std::string text;
   for (std::size_t k = 0; k < std::min(columns.others.size(), most_named); ++k) {
     const SweepColumn& c = columns.others[k];
-    text += fmt::format(words::reports::another_motion, k ? "; " : "", c.title, percent(c.largest, 2), c.cells,
+    text += fmt::format("{}{}, {} at most, in {} cell{}", k ? "; " : "", c.title, percent(c.largest, 2), c.cells,
                         plural(c.cells));
   }
   const std::size_t unnamed = columns.others.size() - std::min(columns.others.size(), most_named);
@@ -104,7 +103,7 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
   };
   const std::size_t starts = column(true, "starts");
   column(true, "balanced");
-  column(limits, words::reports::keep_all_limits);
+  column(limits, "keep all limits");
   const std::size_t motions = table.header.size();
   for (const SweepColumn& c : columns.shown) column(true, c.title);
   const std::size_t others = column(!columns.others.empty(), "others");
@@ -144,9 +143,9 @@ std::string what_else(const SweepResult& r) {
   std::uint64_t lost = 0;
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     lost += cell.lost();
-    if (!cell.note.empty()) text += fmt::format(words::reports::note_at, cell_title(r.axes, index), cell.note);
+    if (!cell.note.empty()) text += fmt::format("Note at {}: {}.\n", cell_title(r.axes, index), cell.note);
   });
-  return lost > 0 ? fmt::format(words::reports::lost_starts, lost) + text : text;
+  return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
 }
 
 Json transients_json(const TransientGroup& group) {
@@ -193,14 +192,16 @@ std::string sweep_text(const SweepResult& r, const TextStyle& style) {
   std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
   text += lines_filled(study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)), style);
   text += table_text(cells_table(r, columns), style) + "\n";
-  std::string notes = words::reports::intervals_are + others_text(columns) + what_else(r);
+  std::string notes = "Behind ± or in brackets: 95 % intervals.\n" + others_text(columns) + what_else(r);
   std::size_t done = 0;
   std::uint64_t starts = 0;
   visit_done(r.cells, [&](std::size_t, const SweepCell& cell) { ++done, starts += cell.starts; });
-  if (done < r.cells.size()) notes += fmt::format(words::reports::partial_sweep, done, r.cells.size());
-  notes += fmt::format(words::reports::sweep_made_with, done, plural(done), starts, r.study.sampling.seed);
+  if (done < r.cells.size())
+    notes += fmt::format("PARTIAL: {} of {} cells; the rest is missing.\n", done, r.cells.size());
+  notes += fmt::format("{} cell{}, {} starts, seed {}, the same starts in every cell", done, plural(done), starts,
+                       r.study.sampling.seed);
   if (r.resumed_cells > 0)
-    notes += fmt::format(words::reports::cells_from_earlier, r.resumed_cells, plural(r.resumed_cells));
+    notes += fmt::format("; {} cell{} from an earlier run", r.resumed_cells, plural(r.resumed_cells));
   if (r.seconds > 0.0) notes += "; " + computed_text(r);
   return text + lines_filled(notes + fmt::format("; equipoise {}\n", version_string), style);
 }
@@ -217,7 +218,7 @@ std::string sweep_json(const SweepResult& r) {
 
 std::string sweep_csv(const SweepResult& r) {
   std::string text =
-      fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : words::reports::csv_cells_missing);
+      fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
   text += csv_study(r.study) + csv_titles(r.axes);
   text += "starts,id,name,alias,kind,count,share,low,high";
   for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;

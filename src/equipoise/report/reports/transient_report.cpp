@@ -15,14 +15,15 @@
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/reports.hpp"
-#include "equipoise/report/words/text.hpp"
+#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char one_run[] = "one run";
 
 using study::Dimension;
 
@@ -55,7 +56,7 @@ std::string figure_line(const TransientFigure& f, const SampleSummary& s, const 
   if (title.starts_with(above)) title.replace(0, above.size(), "  ");
   std::string line = fmt::format("  {:<{}}{:<{}}", title, 45 - unit_width, unit.name, unit_width);
   if (s.open == 0 && s.mean_low == s.mean_high)  // one motion
-    return line + fmt::format(words::text::same_for_all, number(s.mean, unit.size, open));
+    return line + fmt::format("{}, the same for all starts\n", number(s.mean, unit.size, open));
   line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
   for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<36}", with_interval(q.value, q.low, q.high));
   line.erase(line.find_last_not_of(' ') + 1);
@@ -63,8 +64,9 @@ std::string figure_line(const TransientFigure& f, const SampleSummary& s, const 
 }
 
 std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study) {
-  const std::string name = group.id ? group.name : words::text::all_outcomes;
-  if (group.starts < fewest_for_figures) return fmt::format(words::text::too_few_starts, name, group.starts);
+  const std::string name = group.id ? group.name : "all outcomes";
+  if (group.starts < fewest_for_figures)
+    return fmt::format("{}: too few starts ({}) for figures\n", name, group.starts);
   std::string text = fmt::format("{}, {} starts\n", name, group.starts);
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
@@ -77,12 +79,13 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
       continue;
     }
     const std::uint64_t for_good = group.for_good(f), later = s.open - for_good;
-    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[1] : words::text::no_end_seen);
+    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[1] : "no end seen");
     std::string words;
-    if (for_good > 0) words = fmt::format(words::text::open_in, f.open[0], for_good, s.count);
+    if (for_good > 0) words = fmt::format("{}: {} of {} starts", f.open[0], for_good, s.count);
     if (later > 0)
-      words += fmt::format(words::text::open_when_last_followed, words.empty() ? "" : "; ", f.open[1], later, s.count);
-    text += fmt::format("    {}{}\n", words, s.open < s.count ? words::text::mean_is_of_others : "");
+      words +=
+          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", f.open[1], later, s.count);
+    text += fmt::format("    {}{}\n", words, s.open < s.count ? "; the mean is of the others" : "");
   }
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     if (!group.exceeded[k]) continue;
@@ -95,7 +98,9 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
         group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; bounds " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
-  if (grade) text += fmt::format(words::text::residual_unbalance, *grade);
+  if (grade)
+    text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
+                        *grade);
   return text;
 }
 
@@ -132,7 +137,8 @@ std::string times_words(const TransientGroup& with, const TransientGroup& bare, 
   };
   const double median = times(0), most = times(1);
   if (!std::isfinite(median) || !std::isfinite(most) || most == 0.0) return "";
-  return fmt::format(words::text::times_without_balls, transient_figures[figure_place(figure)].title, median, most);
+  return fmt::format("{}: {:.3g} times that without balls in the median, {:.3g} at 90 %",
+                     transient_figures[figure_place(figure)].title, median, most);
 }
 
 // Whether the rotor without balls keeps the limits; empty if none is stated.
@@ -141,18 +147,17 @@ std::string limit_words(const OneBodyRuns& bare) {
              &way = bare.figures.within[static_cast<std::size_t>(Within::on_the_way)];
   if (!end || bare.figures.starts == 0) return "";
   if (bare.one)
-    return fmt::format(words::text::bare_rotor_ends,
-                       end->count > 0 ? words::text::within_all_limits : words::text::over_a_limit,
+    return fmt::format("without balls the rotor ends {}{}", end->count > 0 ? "within all limits" : "over a limit",
                        !way             ? ""
-                       : way->count > 0 ? words::text::never_over_on_the_way
-                                        : words::text::over_on_the_way);
+                       : way->count > 0 ? ", and is never over one on the way"
+                                        : ", and is over one on the way");
   const auto share = [](const Share& s) { return percent(s.share, digits_for(s)); };
-  return fmt::format(words::text::bare_runs_end_within, share(*end),
-                     way ? fmt::format(words::text::bare_runs_never_over, share(*way)) : "");
+  return fmt::format("without balls {} of the runs end within all limits{}", share(*end),
+                     way ? fmt::format(", and {} are never over one on the way", share(*way)) : "");
 }
 
 std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
-  return runs.one ? "" : fmt::format(words::text::in_runs, count, runs.runs);
+  return runs.one ? "" : fmt::format(" in {} of {} runs", count, runs.runs);
 }
 
 Json one_body_json(const OneBodyRuns& body, const Study& study) {
@@ -179,11 +184,21 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
 std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =
-      watched_shaft(r.study).bearings.empty() ? words::text::forces_of_supports : words::text::forces_of_bearing;
-  const std::string places = r.study.bearings.empty() ? fmt::format(words::text::told_at_centre_of_mass, forces)
-                                                      : fmt::format(words::text::told_at_bearings, forces);
-  return places + (model::tolerance_planes(r.study.bearings) ? words::text::unbalance_in_planes
-                                                             : words::text::unbalance_is_static);
+      watched_shaft(r.study).bearings.empty() ? "all supports together" : "the bearing that takes most";
+  const std::string places = r.study.bearings.empty()
+                                 ? fmt::format(
+                                       "No bearings are stated: displacements and velocities are those of the shaft at "
+                                       "the centre of mass; forces are those of {}",
+                                       forces)
+                                 : fmt::format(
+                                       "displacements and velocities are those of the outermost bearing that has more "
+                                       "of them; forces are those of {}",
+                                       forces);
+  return places + (model::tolerance_planes(r.study.bearings)
+                       ? "; the residual unbalance is that in the plane of the outermost bearing that has more of it "
+                         "for its share of what the rotor may have, as ISO 21940-11 shares it out"
+                       : "; the residual unbalance is the static one alone, which has no balance quality grade: ISO "
+                         "21940-11 judges a rotor that tilts in the planes of two bearings, and two are not stated");
 }
 
 }  // namespace
@@ -195,7 +210,7 @@ bool tells_without_balls(const BasinResult& r) {
 
 DocumentTable bare_table(const BasinResult& r) {
   const OneBodyRuns& bare = r.without_balls->bare;
-  DocumentTable table{{"", bare.one ? words::text::one_run : "median"}};
+  DocumentTable table{{"", bare.one ? one_run : "median"}};
   if (!bare.one) table.header.emplace_back("90 % below");
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
@@ -210,15 +225,14 @@ DocumentTable bare_table(const BasinResult& r) {
 
 std::string bare_words(const BasinResult& r) {
   const OneBodyRuns& bare = r.without_balls->bare;
-  if (bare.one) return words::reports::one_run_tells_all;
-  return fmt::format(words::reports::runs_draw_the_rest, bare.runs);
+  if (bare.one) return "There are no balls: nothing is random, so one run is enough.";
+  return fmt::format("There are no balls: {} runs draw the uncertain values.", bare.runs);
 }
 
 DocumentTable without_balls_table(const BasinResult& r) {
   const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
                        &held = r.without_balls->held.figures;
-  DocumentTable table{
-      {"", words::text::no_balls, words::text::balls_held_title, words::text::with_balls, "90 % below"}};
+  DocumentTable table{{"", "no balls", "balls held", "with balls", "90 % below"}};
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
     if (!f.of_bare_rotor || !shows(f, r.study) || !r.transients->asks(f, r.study.limits)) continue;
@@ -240,13 +254,12 @@ DocumentTable without_balls_table(const BasinResult& r) {
     const OneBodyRuns &none = r.without_balls->bare, &fixed = r.without_balls->held;
     const bool stall = r.stalled && r.stalled->count > 0;
     table.rows.push_back(
-        row_of("lnnnn", {words::text::e_omega, grade(bare, none.stalled > 0 && !none.one, 0),
+        row_of("lnnnn", {"e omega of that, mm/s", grade(bare, none.stalled > 0 && !none.one, 0),
                          grade(held, fixed.stalled > 0, 0), grade(with, stall, 0), grade(with, stall, 1)}));
   }
   table.caption =
-      fmt::format(words::text::columns_mean,
-                  r.without_balls->bare.one ? words::text::one_run
-                                            : fmt::format(words::text::median_of_runs, r.without_balls->bare.runs),
+      fmt::format("No balls: {}. Balls held where they start: median of {}. With balls: median.",
+                  r.without_balls->bare.one ? one_run : fmt::format("median of {} runs", r.without_balls->bare.runs),
                   r.without_balls->held.runs);
   return table;
 }
@@ -265,15 +278,17 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
   say(limit_words(r.without_balls->bare));
   const auto tell = [&](const OneBodyRuns& body, const char* how) {
     if (body.stalled > 0)
-      say(fmt::format(words::text::motor_fails, how, of_runs(body.stalled, body),
+      say(fmt::format("{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
                       body.one && body.figures.mean_speed
-                          ? words::text::it_ends_at + rotor_speed_text(r.study, *body.figures.mean_speed)
+                          ? ": it ends at " + rotor_speed_text(r.study, *body.figures.mean_speed)
                           : ""));
-    if (body.open > 0) say(fmt::format(words::text::no_steady_motion, how, of_runs(body.open, body)));
-    if (body.lost > 0) say(fmt::format(words::text::motion_lost, how, of_runs(body.lost, body)));
+    if (body.open > 0)
+      say(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen", how,
+                      of_runs(body.open, body)));
+    if (body.lost > 0) say(fmt::format("{} the rotor's motion is lost{}", how, of_runs(body.lost, body)));
   };
   tell(r.without_balls->bare, words::text::without_balls);
-  tell(r.without_balls->held, words::text::with_balls_held);
+  tell(r.without_balls->held, "with balls held");
   return words;
 }
 
@@ -303,7 +318,7 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
     if (const auto& limit = study.limits.*l.limit) add(l.name, *limit, unit_of(study, l));
   if (study.limits.settled) add("settled", *study.limits.settled, unit_of(study, Dimension::length));
   table.caption += ".";
-  if (study.limits.force) table.caption += words::text::forces_are_rms;
+  if (study.limits.force) table.caption += " Forces at the end are RMS values.";
   return table;
 }
 
@@ -314,13 +329,16 @@ std::string clearance_words(const TransientGroup& group, const Study& study) {
   if (!group.exceeded[k] || group.starts < fewest_for_figures) return "";
   const Unit unit = unit_of(study, Dimension::length);
   const auto share = [](const Share& s) {
-    return fmt::format(words::text::of_starts, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
+    return fmt::format("{} of starts ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
   };
   const SampleSummary& end = group.figure(&TransientRow::peak_radial_at_end);
   const auto width = [&](double radius) { return fmt::format("{:.4g}", 2.0 * radius * unit.size); };
-  return fmt::format(words::text::housing_hit, *study.limits.clearance * unit.size, unit.name,
-                     share(*group.exceeded[k]), share(*group.exceeded_at_end[k]), width(end.quantiles[0].value),
-                     unit.name, width(end.quantiles[1].value), unit.name, width(*study.limits.clearance), unit.name);
+  return fmt::format(
+      "The housing, {:.4g} {} away, is hit on the way by {}, in the end by {}. In the end the centre's path is at most "
+      "{} {} wide in the median and {} {} in 90 % of starts, between walls {} {} apart.",
+      *study.limits.clearance * unit.size, unit.name, share(*group.exceeded[k]), share(*group.exceeded_at_end[k]),
+      width(end.quantiles[0].value), unit.name, width(end.quantiles[1].value), unit.name,
+      width(*study.limits.clearance), unit.name);
 }
 
 std::optional<double> left_grade(const TransientGroup& group, const Study& study) {
@@ -334,24 +352,29 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time),
              force = unit_of(study, Dimension::force);
-  std::string text = fmt::format("  {:<45}{:<36}{:<36}{:<36}{}\n", words::text::transients_title, "mean", "median",
-                                 words::text::below_90_title, words::text::below_99_title);
+  std::string text = fmt::format("  {:<45}{:<36}{:<36}{:<36}{}\n", "transients (95 % intervals)", "mean", "median",
+                                 "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says everything.
     if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) text += group_text(group, r, study);
   if (r.settings.watches_settling())
-    text += fmt::format(words::text::settled_means, r.settings.settled * length.size, length.name);
+    text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);
   const bool undecided =
       std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == undecided_code; });
-  text += fmt::format(
-      words::text::at_the_end_means,
-      undecided ? fmt::format(words::text::window_of_undecided, r.settings.window * time.size, time.name) : "");
-  text += has_directions(study) ? words::text::rms_velocity_of_both : words::text::rms_velocity_means;
+  text += fmt::format("\n\"At the end\": in the steady motion that a start ends in{}.\n",
+                      undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
+                                              r.settings.window * time.size, time.name)
+                                : "");
+  text += has_directions(study)
+              ? "RMS velocity: of both directions together; \"one direction\" is X or Y, whichever has more.\n"
+              : "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
-    text += fmt::format(words::text::measured_from_rest, sag * length.size, length.name,
-                        model::total_weight(study.parameters) * force.size, force.name);
-  if (r.lost > 0) text += fmt::format(words::text::lost_left_out, r.lost);
+    text += fmt::format(
+        "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "
+        "include its weight, {:.4g} {}; dynamic forces are without what carries it there.\n",
+        sag * length.size, length.name, model::total_weight(study.parameters) * force.size, force.name);
+  if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";
 }
 

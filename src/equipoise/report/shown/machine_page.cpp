@@ -12,7 +12,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 #include "equipoise/report/shown/shown_runs.hpp"
-#include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {
 
@@ -136,7 +135,7 @@ class PageMaker {
       return page_;
     }
     distributions();
-    tell(words::plots::drawing_motions);
+    tell("drawing the motions");
     motions();
     runs(median_and_worst(starts_));
     return page_;
@@ -149,7 +148,7 @@ class PageMaker {
   }
 
   void runs(const std::vector<std::uint64_t>& indices) {
-    tell(words::plots::following_runs);
+    tell("following the rotor without balls, the typical run and the worst in a hundred");
     page_.runs = shown_runs(page_.basin.study, starts_, indices, options_.stop);
     for (ShownRun& run : page_.runs) {
       if (run.of != RunOf::bare)

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
@@ -13,8 +12,8 @@ std::string grade_text(double grade_mm_s) {
   constexpr double nothing = 1e-3;  // mm/s: a micrometre per second, a four hundredth of the best grade
   if (grade_mm_s < nothing) return "G 0";
   const auto met = model::standard_grade_met(grade_mm_s);
-  return met ? fmt::format(words::text::within_grade, grade_mm_s, *met)
-             : fmt::format(words::text::beyond_grade, grade_mm_s, model::standard_balance_grades.back());
+  return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
+             : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
 }
 
 Json grade_json(double grade_mm_s) {
@@ -37,14 +36,14 @@ std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, con
   std::string text;
   for (const OutcomeShare& a : attractors) {
     if (a.unbalance.empty()) continue;
-    text += fmt::format(words::text::unbalance_left, a.name);
+    text += fmt::format("Unbalance left, {}: ", a.name);
     for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
       const double share = unbalance_quantiles[k];
       text += fmt::format("{}{} {}", k ? ", " : "",
-                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : words::text::all_within,
+                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : "all within",
                           amount_text(a.unbalance[k], study));
     }
-    text += fmt::format(words::text::rotors_own, amount_text(study.parameters.eccentricity, study));
+    text += fmt::format("; the rotor's own is {}.\n", amount_text(study.parameters.eccentricity, study));
   }
   return text;
 }

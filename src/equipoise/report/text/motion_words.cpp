@@ -10,7 +10,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/percent_text.hpp"
-#include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 
 namespace equipoise {
@@ -29,27 +28,27 @@ Json events_json(const Motion& m) {
 // In a continuum each member has its own stability.
 std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
   if (part.slowest_rate == 0.0)
-    return fmt::format(words::text::continuum_unstable, part.drawn, part.least_growth / units.time,
-                       part.most_growth / units.time, units.rate);
+    return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}",
+                       part.drawn, part.least_growth / units.time, part.most_growth / units.time, units.rate);
   const std::string share = part.stable == part.drawn ? "all"
-                            : part.stable == 0        ? fmt::format(words::text::less_than_one_in, part.drawn)
+                            : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
                                                       : percent_text(part.share());
-  return fmt::format(words::text::continuum_stable_in_part, share, part.fastest_rate / units.time,
-                     part.slowest_rate / units.time, units.rate);
+  return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}{}", share,
+                     part.fastest_rate / units.time, part.slowest_rate / units.time, units.rate);
 }
 
 }  // namespace
 
 std::string stability_text(const Attractor& a, const TableUnits& units) {
-  if (a.motion.set_valued) return words::text::held_by_friction;
+  if (a.motion.set_valued) return "a continuum that dry friction holds";
   if (a.continuum) return continuum_text(*a.continuum, units);
   const Motion& m = a.motion;
-  if (m.kind == MotionKind::measured) return words::text::known_by_measurement;
+  if (m.kind == MotionKind::measured) return "starts end in it; known by its measured motion alone";
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.kind == MotionKind::equilibrium && !m.depends_on_angle && !m.exponents.empty())
-    return fmt::format(words::text::slowest_rate, verdict, m.exponents.front() / units.time, units.rate);
+    return fmt::format("{}, slowest rate {:.5f}{}", verdict, m.exponents.front() / units.time, units.rate);
   if (const double multiplier = largest_multiplier(m); std::isfinite(multiplier))
-    return fmt::format(words::text::largest_multiplier, verdict, multiplier);
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, multiplier);
   std::string text = fmt::format("{}, exponents", verdict);
   for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
     text += fmt::format(" {:.4f}", m.exponents[k] / units.time);

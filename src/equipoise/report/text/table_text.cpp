@@ -12,7 +12,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
@@ -89,7 +88,10 @@ std::string table_text(const DocumentTable& table, const TextStyle& style) {
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
-  if (!hidden.empty()) text += filled("", fmt::format(words::text::no_room_for, fmt::join(hidden, ", ")), style);
+  if (!hidden.empty())
+    text += filled(
+        "", fmt::format("Columns left out here: {}. A wider terminal or --json shows them.", fmt::join(hidden, ", ")),
+        style);
   return table.caption.empty() ? text : text + filled("", table.caption, style);
 }
 

@@ -14,7 +14,6 @@
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
 
@@ -51,24 +50,24 @@ std::string motor_text(const Study& study) {
   const auto speed = [&](double value) { return shown(value, Dimension::speed); };
   std::string law;
   if (t.by_stall)
-    law = fmt::format(words::text::torque_by_stall, torque(t.stall), speed(t.no_load_speed));
+    law = fmt::format("torque {} at rest, none at {}", torque(t.stall), speed(t.no_load_speed));
   else if (t.kind == Kind::curve)
-    law = fmt::format(words::text::torque_by_curve, t.speeds.size(),
+    law = fmt::format("torque by {} points in speed, at most {}", t.speeds.size(),
                       torque(*std::max_element(t.values.begin(), t.values.end())));
   else if (t.kind == Kind::table)
-    law = fmt::format(words::text::torque_by_time, t.times.size());
+    law = fmt::format("torque by {} points in time", t.times.size());
   else if (t.kind == Kind::control)
-    law = fmt::format(words::text::speed_control, speed(study.motor().target.final_speed()),
+    law = fmt::format("speed control to {}, gain {}{}", speed(study.motor().target.final_speed()),
                       shown(t.gain, Dimension::gain),
-                      t.limit ? fmt::format(words::text::torque_at_most, torque(*t.limit)) : "");
+                      t.limit ? fmt::format(", torque at most {}", torque(*t.limit)) : "");
   else
-    law = fmt::format(words::text::torque_by_line, torque(t.constant), shown(t.slope, Dimension::gain),
+    law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
   const LoadSetting& load = study.speed.load;
-  if (!load.is_none()) law += words::text::machine_takes + torque(load.constant + load.linear + load.quadratic);
+  if (!load.is_none()) law += "; the machine takes " + torque(load.constant + load.linear + load.quadratic);
   if (load.linear + load.quadratic > 0.0) law += " at " + speed(*load.at);
   if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
-  return fmt::format(words::text::driven_from, speed(study.speed.initial), law);
+  return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
 // Features beyond an isotropic, horizontal rotor with balls subject only to drag; empty if there are none.
@@ -93,19 +92,20 @@ std::string more_text(const Study& study) {
                      : fmt::format("gravity {:.6g}", p.gravity));
   if (p.tilts()) {
     const bool same = alike(p.tilt.plane, p.balls);
-    add(fmt::format(words::text::tilts, shown(p.tilt.transverse_inertia, Dimension::inertia),
+    add(fmt::format("tilts: transverse inertia {}, polar {}", shown(p.tilt.transverse_inertia, Dimension::inertia),
                     shown(p.tilt.polar_inertia, Dimension::inertia)));
     if (p.balls > 0)
-      add(fmt::format(words::text::balls_in_planes, plural(p.balls), same ? "" : "s",
+      add(fmt::format("ball{} in plane{} {}", plural(p.balls), same ? "" : "s",
                       shown.list(p.tilt.plane.data(), nullptr, p.balls, same, Dimension::length)));
   }
-  if (!p.race_is_centred()) add(words::text::race_offset + both(p.race_offset, Dimension::length));
+  if (!p.race_is_centred()) add("race offset " + both(p.race_offset, Dimension::length));
   if (p.rolls) {
     const bool same = alike(p.ball_radius, p.balls);
-    add(words::text::balls_roll + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
+    add("balls roll, radius " + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
   }
-  if (p.balls_collide()) add(fmt::format(words::text::balls_touch, p.contact_angle, p.restitution));
-  if (p.balls_stick()) add(fmt::format(words::text::rolling_resistance, p.rolling[0], p.stiction[0]));
+  if (p.balls_collide())
+    add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
+  if (p.balls_stick()) add(fmt::format("rolling resistance {:.6g}, stiction {:.6g}", p.rolling[0], p.stiction[0]));
   return text.empty() ? "" : text + "\n";
 }
 
@@ -118,18 +118,20 @@ std::string speed_text(const Study& study) {
   if (s.driven())
     text = motor_text(study);
   else if (s.profile == Profile::constant)
-    text = fmt::format(words::text::constant_speed, speed(s.speed));
+    text = fmt::format("constant speed {}", speed(s.speed));
   else if (s.profile == Profile::ramp)
-    text = fmt::format(words::text::ramp, speed(s.initial), speed(s.final), time(s.duration));
+    text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
   else if (s.profile == Profile::trapezoid)
-    text = fmt::format(words::text::trapezoid, speed(s.initial), speed(s.peak), time(s.rise_until), time(s.hold_until),
-                       speed(s.final), time(s.fall_until));
+    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
+                       time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else if (s.profile == Profile::hill)
-    text = fmt::format(words::text::hill, speed(s.final), time(s.half_time), s.exponent);
+    text = fmt::format("run-up to {} by a Hill function, half of it at {}, exponent {:.6g}", speed(s.final),
+                       time(s.half_time), s.exponent);
   else
-    text = fmt::format(words::text::speed_points, s.times.size(), speed(s.speeds.back()), time(s.times.back()));
+    text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
   if (s.profile != Profile::constant && !s.driven())
-    text += s.law == model::SpeedLaw::published ? words::text::published_law : words::text::kinematic_law;
+    text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
+                                                : "; kinematic speed law, psi' = Omega(t)";
   return text;
 }
 
@@ -164,17 +166,18 @@ std::string study_heading(const Study& study) {
   const Shown shown(study);
   const bool same = alike(p.mass, p.balls) && alike(p.drag, p.balls);
   if (p.balls == 0)
-    text += words::text::no_balls_semicolon;
+    text += "no balls; ";
   else
-    text += fmt::format(words::text::balls_are, p.balls, plural(p.balls),
+    text += fmt::format("{} ball{}: mass {}, drag {}; ", p.balls, plural(p.balls),
                         shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
                         shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
-  text += fmt::format(words::text::rotor_is, shown(p.eccentricity, Dimension::length),
+  text += fmt::format("rotor: eccentricity {}, damping {}\n", shown(p.eccentricity, Dimension::length),
                       shown(p.damping[0], Dimension::damping));
   if (study.scales)
-    text += fmt::format(fmt::runtime(p.tilts() || p.stiffness[0] != p.stiffness[1] ? words::text::unit_of_speed_is
-                                                                                   : words::text::critical_speed_is),
-                        shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+    text +=
+        fmt::format(fmt::runtime(p.tilts() || p.stiffness[0] != p.stiffness[1] ? "sqrt(k/M) = {}, 1/omega_c = {}\n"
+                                                                               : "critical speed {}, 1/omega_c = {}\n"),
+                    shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
   const std::string held = release_text(study);
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }

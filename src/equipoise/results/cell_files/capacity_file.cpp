@@ -10,7 +10,7 @@
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -25,14 +25,18 @@ void add_boundaries(io::CellDataset& data, const std::string& unit, const Capaci
     data.by_cell(name, units, meaning,
                  [&result, value](std::size_t cell, std::size_t) { return value(*result.cells[cell]); });
   };
-  add("capacity", unit, fmt::format(words::files::capacity_of_cell, result.key, result.at_least, result.asked_of_one()),
+  add("capacity", unit,
+      fmt::format("{}: the largest at which a share of {} of the starts {}", result.key, result.at_least,
+                  result.asked_of_one()),
       [](const CapacityCell& c) { return c.value.value_or(no_capacity); });
-  add("capacity_low", unit, fmt::format(words::files::share_still_kept, result.key),
+  add("capacity_low", unit, fmt::format("{}: up to here the share is as large with 95 % confidence", result.key),
       [](const CapacityCell& c) { return c.low; });
-  add("capacity_high", unit, fmt::format(words::files::share_lost, result.key),
+  add("capacity_high", unit, fmt::format("{}: here the share is smaller with 95 % confidence", result.key),
       [](const CapacityCell& c) { return c.high; });
-  add("always", "1", words::files::kept_in_whole_range, [](const CapacityCell& c) { return c.always ? 1.0 : 0.0; });
-  add("never", "1", words::files::lost_in_whole_range, [](const CapacityCell& c) { return c.never ? 1.0 : 0.0; });
+  add("always", "1", "1: the share is as large up to the end of the range",
+      [](const CapacityCell& c) { return c.always ? 1.0 : 0.0; });
+  add("never", "1", "1: the share is smaller over the whole range",
+      [](const CapacityCell& c) { return c.never ? 1.0 : 0.0; });
   add("trials", "1", "values tried", [](const CapacityCell& c) { return static_cast<double>(c.trials.size()); });
 }
 
@@ -52,13 +56,15 @@ void add_trials(io::CellDataset& data, const std::string& unit, const CapacityRe
   add("trial_value", unit, result.key + ": value tried", [](const CapacityTrial& t) { return t.value; });
   add("trial_starts", "1", "starts followed",
       [](const CapacityTrial& t) { return static_cast<double>(t.balanced.total); });
-  add("trial_share", "1", words::files::share_balanced, [](const CapacityTrial& t) { return t.balanced.share; });
+  add("trial_share", "1", "share of the starts that end balanced",
+      [](const CapacityTrial& t) { return t.balanced.share; });
   add("trial_share_low", "1", words::files::lower_end,
       [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.low; });
   add("trial_share_high", "1", words::files::upper_end,
       [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.high; });
-  add("trial_undecided", "1", words::files::share_undecided, [](const CapacityTrial& t) { return t.undecided.share; });
-  add("trial_unstable", "1", words::files::trial_unstable,
+  add("trial_undecided", "1", "share of the starts that stay undecided",
+      [](const CapacityTrial& t) { return t.undecided.share; });
+  add("trial_unstable", "1", "1: no balanced state attracts, and no start was followed",
       [](const CapacityTrial& t) { return t.unstable ? 1.0 : 0.0; });
 }
 
@@ -77,7 +83,8 @@ std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std:
 void finish_capacity_file(CellFile& file, const CapacityResult& result) {
   const auto write = [&](const std::string& path) {
     const CellRecords records(result.cells, [](const CapacityCell& cell) { return bytes_of(cell.trials); });
-    CellDataset data(fmt::format(words::files::capacity, result.key, result.at_least, result.asked_of_one()),
+    CellDataset data(fmt::format("Largest {} at which a share of {} of the starts {}", result.key, result.at_least,
+                                 result.asked_of_one()),
                      result.axes, records);
     const std::string unit = result.unit.empty() ? "1" : result.unit;
     add_boundaries(data, unit, result);

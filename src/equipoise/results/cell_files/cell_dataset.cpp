@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/results/commands/branch.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -56,8 +55,8 @@ void CellDataset::add_records(const std::string& kind, const std::string& identi
   const std::size_t cell = dimension("cell", records_.ends.size());
   DataValues values;
   if (!bytes.empty()) values = [&bytes](std::size_t k) { return static_cast<std::int8_t>(bytes[k]); };
-  add("record", "1", words::files::records_of_cells, {byte}, values, DataColumn::Type::byte);
-  add("record_end", "1", words::files::ends_of_records, {cell},
+  add("record", "1", "all that is known of every cell, for the program (CBOR)", {byte}, values, DataColumn::Type::byte);
+  add("record_end", "1", "where in record a cell ends, in bytes", {cell},
       [&ends = records_.ends](std::size_t k) { return ends[k]; });
   say("kind", kind);
   say("identity", identity);

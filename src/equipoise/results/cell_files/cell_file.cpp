@@ -7,14 +7,14 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
 namespace {
 
 Store::Words words_of(const CellFileKind& kind) {
-  return {fmt::format("results of this {}", kind.name), fmt::format(words::files::same_results_or_new, kind.name)};
+  return {fmt::format("results of this {}", kind.name),
+          fmt::format("must be a new file, or results of the same {}", kind.name)};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ CellFile::CellFile(const CellFileKind& kind, const std::string& path, const Take
   reading([&] {
     if (!results()) return;
     if (results()->attribute("kind") != kind.name)
-      throw InputError(path, "", "", fmt::format(words::files::other_command, kind.name));
+      throw InputError(path, "", "", fmt::format("holds no {0}; must be what \"{0} -o\" wrote", kind.name));
     read_results(take);
   });
   read_journal(std::numeric_limits<std::size_t>::max(), take);
@@ -47,7 +47,7 @@ void CellFile::take_sound(const std::string& file, const Take& take, std::size_t
   try {
     take(cell, record);
   } catch (const RunError& e) {
-    refuse(file, fmt::format(words::files::record_of_cell, cell + 1, e.what()));
+    refuse(file, fmt::format("is damaged: record {}: {}", cell + 1, e.what()));
   }
 }
 
@@ -70,7 +70,7 @@ void CellFile::read_results(const Take& take) const {
 
 void CellFile::read_journal(std::size_t cells, const Take& take) {
   for (const Journal::Record& record : records()) {
-    if (record.kind != kind_.record || record.first >= cells) refuse(part(), words::files::something_else);
+    if (record.kind != kind_.record || record.first >= cells) refuse(part(), "holds something else");
     take_sound(part(), take, record.first, payload<std::vector<std::uint8_t>>(record));
     changed_ = true;
   }

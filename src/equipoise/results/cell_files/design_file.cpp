@@ -12,7 +12,7 @@
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -53,7 +53,7 @@ void add_figures(Dataset& data, const DesignResult& result, const std::string& p
 
 void write_design(const std::string& path, const std::string& identity, const DesignResult& result,
                   const KeptSamples& samples, const io::CellRecords& records) {
-  io::CellDataset data(words::files::design, {}, records);
+  io::CellDataset data("Design: candidates, and those that no other beats", {}, records);
   const std::size_t count = std::max<std::size_t>(samples.size(), 1), ensemble = data.dimension("ensemble", count);
   std::vector<std::string> names;
   std::vector<const DesignSample*> all, front;
@@ -62,12 +62,13 @@ void write_design(const std::string& path, const std::string& identity, const De
     all.push_back(&kept.sample);
   }
   names.resize(count);
-  data.add_texts("candidate", ensemble, names, words::files::candidate).attributes.emplace_back("units", "1");
+  data.add_texts("candidate", ensemble, names, "starts, seed and values of the candidate")
+      .attributes.emplace_back("units", "1");
   add_figures(data, result, "", ensemble, all, "of the ensemble");
   for (const DesignCandidate& c : result.front) front.push_back(&c.best_known());
   if (!front.empty())
     add_figures(data, result, "front_", data.dimension("front", front.size()), front,
-                result.partial ? words::files::front_of_search : words::files::front_held_out);
+                result.partial ? "of the front, on the starts of the search" : "of the front, on held-out starts");
   data.add_records("design", identity, result.study, !result.partial);
   data.say("best_study", result.best_study);
   io::write_netcdf_file(path, data);

@@ -13,7 +13,6 @@
 #include "equipoise/core/base/bytes.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -79,6 +78,9 @@ void named_members(Record& r, T& k) {
 
 namespace {
 
+constexpr char no_number[] = "is no number";
+constexpr char wrong_length[] = "has {} entries instead of {}";
+
 using Json = nlohmann::json;
 
 template <class T>
@@ -140,7 +142,7 @@ double number_from(const Json& j, const std::string& place) {
   if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (j.is_number()) return j.get<double>();
   if (j == "inf" || j == "-inf") return j == "inf" ? infinite : -infinite;
-  throw Unreadable{place, words::files::no_number};
+  throw Unreadable{place, no_number};
 }
 
 std::string inside(const std::string& place, const char* member) {
@@ -154,10 +156,10 @@ constexpr IntervalBy last_of(IntervalBy) { return static_cast<IntervalBy>(interv
 void require(const SweepOutcome& o, const std::string& place) {
   if (!o.unbalance.empty() && o.unbalance.size() != unbalance_quantiles.size())
     throw Unreadable{inside(place, "left_unbalance"),
-                     fmt::format(words::files::wrong_length, o.unbalance.size(), unbalance_quantiles.size())};
+                     fmt::format(wrong_length, o.unbalance.size(), unbalance_quantiles.size())};
 }
 void require(const SweepCell& c, const std::string& place) {
-  if (c.outcomes.empty()) throw Unreadable{inside(place, "outcomes"), words::files::no_entries};
+  if (c.outcomes.empty()) throw Unreadable{inside(place, "outcomes"), "has no entries"};
 }
 template <class T>
 void require(const T&, const std::string&) {}
@@ -165,13 +167,13 @@ void require(const T&, const std::string&) {}
 class RecordIn {
  public:
   RecordIn(const Json& json, const std::string& place) : json_(json), place_(place) {
-    if (!json.is_object()) throw Unreadable{place, words::files::no_members};
+    if (!json.is_object()) throw Unreadable{place, "has no members"};
   }
   template <class T, class... More>
   void operator()(const char* name, T& value, More&&... more) {
     const auto member = json_.find(name);
     const std::string place = inside(place_, name);
-    if (member == json_.end()) throw Unreadable{place, words::files::absent};
+    if (member == json_.end()) throw Unreadable{place, "is missing"};
     decode(*member, value, place);
     if constexpr (sizeof...(more) > 0) (*this)(more...);
   }
@@ -186,12 +188,12 @@ class RecordIn {
       value.reset();
       if (!json.is_null()) decode(json, value.emplace(), place);
     } else if constexpr (std::is_same_v<T, std::string>) {
-      if (!json.is_string()) throw Unreadable{place, words::files::no_text};
+      if (!json.is_string()) throw Unreadable{place, "is no text"};
       value = display_lines(json.get_ref<const std::string&>());
     } else if constexpr (is_list<T>) {
       decode_list(json, value, place);
     } else if constexpr (std::is_same_v<T, DesignEstimate>) {
-      if (!json.is_array() || json.size() != 3) throw Unreadable{place, words::files::no_number};
+      if (!json.is_array() || json.size() != 3) throw Unreadable{place, no_number};
       value = {number_from(json[0], place), number_from(json[1], place), number_from(json[2], place)};
     } else if constexpr (std::is_enum_v<T>) {
       int number = 0;
@@ -199,12 +201,12 @@ class RecordIn {
       if (number < 0 || number > static_cast<int>(last_of(T{}))) throw Unreadable{place, out_of_range(json)};
       value = static_cast<T>(number);
     } else if constexpr (std::is_same_v<T, bool>) {
-      if (!json.is_boolean()) throw Unreadable{place, words::files::no_truth};
+      if (!json.is_boolean()) throw Unreadable{place, "is neither true nor false"};
       value = json.get<bool>();
     } else if constexpr (std::is_integral_v<T>) {
       decode_integer(json, value, place);
     } else if constexpr (std::is_arithmetic_v<T>) {
-      if (!json.is_number()) throw Unreadable{place, words::files::no_number};
+      if (!json.is_number()) throw Unreadable{place, no_number};
       value = json.get<T>();
     } else {
       RecordIn record(json, place);
@@ -214,11 +216,11 @@ class RecordIn {
   }
 
  private:
-  static std::string out_of_range(const Json& json) { return fmt::format(words::files::not_in_range, json.dump()); }
+  static std::string out_of_range(const Json& json) { return fmt::format("is out of range: {}", json.dump()); }
 
   template <class T>
   static void decode_integer(const Json& json, T& value, const std::string& place) {
-    if (!json.is_number_integer()) throw Unreadable{place, words::files::no_integer};
+    if (!json.is_number_integer()) throw Unreadable{place, "is no integer"};
     const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
                                                 : std::in_range<T>(json.get<std::int64_t>());
     if (!fits) throw Unreadable{place, out_of_range(json)};
@@ -228,14 +230,13 @@ class RecordIn {
   // Lists grow with what was read: a forged length takes no memory.
   template <class T>
   static void decode_list(const Json& json, T& list, const std::string& place) {
-    if (!json.is_array()) throw Unreadable{place, words::files::no_list};
+    if (!json.is_array()) throw Unreadable{place, "is no list"};
     const auto at = [&](std::size_t i) { return fmt::format("{}[{}]", place, i); };
     if constexpr (requires { list.emplace_back(); }) {
       list.clear();
       for (std::size_t i = 0; i < json.size(); ++i) decode(json[i], list.emplace_back(), at(i));
     } else {
-      if (json.size() != list.size())
-        throw Unreadable{place, fmt::format(words::files::wrong_length, json.size(), list.size())};
+      if (json.size() != list.size()) throw Unreadable{place, fmt::format(wrong_length, json.size(), list.size())};
       for (std::size_t i = 0; i < list.size(); ++i) decode(json[i], list[i], at(i));
     }
   }
@@ -271,13 +272,13 @@ template <class T>
 T record_from(const std::vector<std::uint8_t>& bytes) {
   Shallow shallow;
   (void)Json::sax_parse(bytes, &shallow, Json::input_format_t::cbor);
-  if (shallow.exceeded()) throw RunError(words::files::too_deep);
+  if (shallow.exceeded()) throw RunError("is nested too deeply");
   try {
     T value;
     RecordIn::decode(Json::from_cbor(bytes), value, "");
     return value;
   } catch (const Json::exception&) {
-    throw RunError(words::files::no_record);
+    throw RunError("is not a record");
   } catch (const Unreadable& why) {
     throw RunError(why.place.empty() ? why.problem : why.place + " " + why.problem);
   }

@@ -15,7 +15,7 @@
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -51,12 +51,12 @@ class SweepColumns {
   SweepColumns(const std::string& identity, const SweepResult& result)
       : result_(result),
         records_(result.cells, [](const SweepCell& cell) { return io::bytes_of(cell); }),
-        data_(words::files::over_parameters, result.axes, records_) {
+        data_("Where a rotor with an automatic ball balancer ends, over parameters", result.axes, records_) {
     add_outcomes();
     column("starts", "1", "starts counted", [](const SweepCell& c, std::size_t) { return c.starts; });
-    column("balanced_stable", "1", words::files::stable_state_exists,
+    column("balanced_stable", "1", "1: a linearly stable balanced state exists",
            [](const SweepCell& c, std::size_t) { return c.balanced_stable; });
-    of_shares("count", words::files::starts_with_outcome, [](const Share& s) { return s.count; });
+    of_shares("count", "starts with the outcome", [](const Share& s) { return s.count; });
     for (const io::ShareColumn& c : io::share_columns)
       of_shares(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
     for (const MotionColumn& c : motion_columns) {
@@ -88,10 +88,10 @@ class SweepColumns {
     std::stable_partition(codes_.begin(), codes_.end(), [](int code) { return code > 0; });
     outcome_ = data_.dimension("outcome", codes_.size());
     data_.add(
-        "outcome", "1", words::files::code_of_attractor, {outcome_}, [this](std::size_t k) { return codes_[k]; },
-        DataColumn::Type::integer);
+        "outcome", "1", "identifier of an attractor, the same in all cells; 0 undecided, negative: lost or stalled",
+        {outcome_}, [this](std::size_t k) { return codes_[k]; }, DataColumn::Type::integer);
     const auto name = [&](int code) { return kinds.at(code).first; };
-    data_.add_texts("name", outcome_, codes_, name, words::files::name_of_outcome);
+    data_.add_texts("name", outcome_, codes_, name, "name of the outcome");
     const auto alias = [&](int code) { return kinds.at(code).second; };
     data_.add_texts("alias", outcome_, codes_, alias, words::files::name_by_wright_and_peng);
   }
@@ -129,10 +129,12 @@ class SweepColumns {
     if (std::none_of(result_.cells.begin(), result_.cells.end(), leaves)) return;
     for (std::size_t q = 0; q < unbalance_quantiles.size(); ++q) {
       const double percent = 100.0 * unbalance_quantiles[q];
-      of_motions(fmt::format("left_unbalance_{:.0f}", percent), "1",
-                 fmt::format(words::files::unbalance_left_in_percent, percent), [q](const SweepOutcome& o) {
-                   return o.unbalance.empty() ? std::nullopt : std::optional(o.unbalance[q]);
-                 });
+      of_motions(
+          fmt::format("left_unbalance_{:.0f}", percent), "1",
+          fmt::format(
+              "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in M R",
+              percent),
+          [q](const SweepOutcome& o) { return o.unbalance.empty() ? std::nullopt : std::optional(o.unbalance[q]); });
     }
   }
 
@@ -150,17 +152,17 @@ class SweepColumns {
         column(transient_figures[k].name + suffix, "1", words + transient_figures[k].long_name(), of_quantile,
                {quantile});
       };
-      of_quantiles("", words::files::quantile_over_starts, &QuantileEstimate::value);
-      of_quantiles("_low", words::files::lower_end_of, &QuantileEstimate::low);
-      of_quantiles("_high", words::files::upper_end_of, &QuantileEstimate::high);
+      of_quantiles("", "quantile over starts: ", &QuantileEstimate::value);
+      of_quantiles("_low", "lower end of its 95 % interval: ", &QuantileEstimate::low);
+      of_quantiles("_high", "upper end of its 95 % interval: ", &QuantileEstimate::high);
     }
     for (std::size_t k = 0; k < transient_limits.size(); ++k)
       of_starts(std::string("exceeded_") + transient_limits[k].name,
-                fmt::format(words::files::share_above_limit, transient_limits[k].name),
+                fmt::format("share of starts above limits.{}", transient_limits[k].name),
                 [k](const TransientGroup& all) { return all.exceeded[k]; });
     for (std::size_t k = 0; k < within_names.size(); ++k)
       of_starts(std::string("limits_kept_") + within_names[k],
-                fmt::format(words::files::share_keeping_limits, within_titles[k]),
+                fmt::format("share of starts that keep all limits: {}", within_titles[k]),
                 [k](const TransientGroup& all) { return all.within[k]; });
   }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "equipoise/results/words/results.hpp"
 
 namespace equipoise {
 
@@ -82,12 +81,12 @@ double largest_multiplier(const Motion& motion) {
 }
 
 std::string parameter_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return words::results::final_speed;
-  if (key == "rotor.eccentricity") return words::results::eccentricity;
-  if (key == "rotor.damping") return words::results::damping;
-  if (key == "rotor.stiffness") return words::results::stiffness;
-  if (key == "balancer.mass") return words::results::mass_of_ball;
-  if (key == "balancer.drag") return words::results::drag_of_ball;
+  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Omega / sqrt(k/M)";
+  if (key == "rotor.eccentricity") return "eccentricity lambda / race radius";
+  if (key == "rotor.damping") return "external damping zeta = c / sqrt(k M)";
+  if (key == "rotor.stiffness") return "support stiffness kappa";
+  if (key == "balancer.mass") return "mass of a ball mu / rotor mass";
+  if (key == "balancer.drag") return "drag of a ball beta";
   return key;
 }
 

@@ -11,7 +11,7 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
 #include "equipoise/machine/mechanics/whirl.hpp"
-#include "equipoise/results/words/results.hpp"
+#include "equipoise/results/types/words.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/units/units.hpp"
 
@@ -55,7 +55,7 @@ struct BalancedMotion {
   /// Where statements about it hold: ", without gravity, in the state shown, one of a continuum"; empty: everywhere.
   std::string place(const model::BalancedStates& states) const {
     const bool one_of_many = states.kind == model::BalancedStates::Kind::continuum;
-    return (less.empty() ? "" : ", " + less) + (one_of_many ? words::results::one_of_a_continuum : "");
+    return (less.empty() ? "" : ", " + less) + (one_of_many ? ", in the state shown of a continuum" : "");
   }
   /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than 1 % of its own change.
   int more_drag() const { return drag_sensitivity > 0.01 ? 1 : drag_sensitivity < -0.01 ? -1 : 0; }

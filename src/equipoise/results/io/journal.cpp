@@ -12,11 +12,12 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/checksum.hpp"
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
 namespace {
+
+constexpr char changed_by_another[] = "{}: another program has changed this file; nothing more is kept in it";
 
 // Numbers are in the machine's byte order; on a machine of the other order the marks do not match.
 constexpr std::uint64_t file_mark = 0x314C4E524A505145, record_mark = 0x3144524F43455245;
@@ -85,8 +86,11 @@ Journal::~Journal() {
 void Journal::open_locked(const std::string& output) {
   for (;;) {
     if (const int error = file_.open(path_, DiskFile::Open::update))
-      throw InputError("output", "", "", fmt::format(words::files::file_must_be_writable, path_, error_text(error)));
-    if (!file_.lock()) throw InputError(output, "", "", words::files::written_by_another);
+      throw InputError("output", "", "",
+                       fmt::format("{}: {} (must be a file that can be written)", path_, error_text(error)));
+    if (!file_.lock())
+      throw InputError(output, "", "",
+                       "is being written by another process; must be a file that no other run writes to");
     if (file_.is_named(path_)) return;
   }
 }
@@ -95,7 +99,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   FileHeader header;
   const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
   if (!file_.read_at(0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
-    throw InputError(path_, "", "", words::files::no_results_or_damaged);
+    throw InputError(path_, "", "", "is not a file of results (.nc, .nc.part), or is damaged; must be another file");
   const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
   if (begun) {  // new, or its writer was killed at once
     identity_ = identity;
@@ -106,7 +110,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   const bool read = file_.read_at(sizeof header, identity_.data(), identity_.size());
   sum.add(identity_.data(), identity_.size());
   if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
-    throw InputError(path_, "", "", words::files::owner_is_damaged);
+    throw InputError(path_, "", "", "is damaged in the part that names its results; remove it first");
   end_ = sizeof header + header.bytes;
 }
 
@@ -158,7 +162,13 @@ void Journal::read_records(std::uint64_t size) {
   lost_ += size - end_;
 }
 
-std::string Journal::loss() const { return lost_ == 0 ? "" : fmt::format(words::files::damaged_bytes, path_, lost_); }
+std::string Journal::loss() const {
+  return lost_ == 0 ? ""
+                    : fmt::format(
+                          "{}: {} bytes are damaged or cut off; all other records are used, and what is lost is "
+                          "computed again",
+                          path_, lost_);
+}
 
 void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
   if (offset > record.bytes || bytes > record.bytes - offset || !file_.read_at(record.payload + offset, data, bytes))
@@ -170,7 +180,7 @@ void Journal::require_sound() const {
     const std::uint64_t begin = record.payload - sizeof(RecordHeader);
     const auto header = fitting_header(file_, begin, record.end());
     if (!header || header->bytes != record.bytes || !is_sound(file_, begin, *header))
-      throw RunError(fmt::format(words::files::changed_by_another, path_));
+      throw RunError(fmt::format(changed_by_another, path_));
   }
 }
 
@@ -202,7 +212,7 @@ Journal::Record Journal::append(Record record, const void* payload, std::size_t 
 
 // A partial write is undone.
 void Journal::write(const std::vector<char>& bytes) {
-  if (file_.size().value_or(end_) < end_) throw RunError(fmt::format(words::files::changed_by_another, path_));
+  if (file_.size().value_or(end_) < end_) throw RunError(fmt::format(changed_by_another, path_));
   int error = spoilt_ ? file_.cut(end_) : 0;
   if (error == 0) error = file_.write_at(end_, bytes.data(), bytes.size());
   spoilt_ = false;

@@ -12,11 +12,12 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/netcdf_header.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
 namespace {
+
+constexpr char longer_than_file[] = "{}: {} is longer than the file";
 
 // The library keeps a process-wide list of open files without a lock.
 std::mutex library_mutex;
@@ -41,7 +42,7 @@ NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& na
     bytes_ = std::filesystem::file_size(path, error);
     if (error) throw RunError(name_ + ": cannot be read");
     if (const std::string fault = netcdf_fault(path); !fault.empty())
-      throw RunError(fmt::format(words::files::unreadable_netcdf, name_, fault));
+      throw RunError(fmt::format("{}: cannot be read: {}", name_, fault));
     check(call(nc_open, std::filesystem::absolute(path).c_str(), NC_NOWRITE, &id_), "cannot be read");
   } else {
     check(call(nc_create, path.c_str(), NC_CLOBBER | (mode == Mode::create_large ? NC_64BIT_DATA : NC_64BIT_OFFSET),
@@ -70,7 +71,7 @@ std::size_t NetcdfFile::length(const std::string& dimension) const {
   check(status, "dimension " + dimension);
   check(call(nc_inq_dimlen, id_, id, &length), "dimension " + dimension);
   // Whatever has this length takes a byte each at least. A forged one would take all memory.
-  if (bytes_ > 0 && length > bytes_) throw RunError(fmt::format(words::files::longer_than_file, name_, dimension));
+  if (bytes_ > 0 && length > bytes_) throw RunError(fmt::format(longer_than_file, name_, dimension));
   return length;
 }
 
@@ -108,7 +109,7 @@ int NetcdfFile::variable(const std::string& name, int type, const std::vector<st
     check(call(nc_inq_dimlen, id_, ids[k], &length), "variable " + name);
     same = length == shape[k];
   }
-  if (!same) throw RunError(fmt::format(words::files::variable_of_other_shape, name_, name));
+  if (!same) throw RunError(fmt::format("{}: variable {} has the wrong type or shape", name_, name));
   return variable;
 }
 
@@ -161,7 +162,7 @@ std::string NetcdfFile::read_text(const std::string& name, std::size_t index) co
   check(call(nc_inq_vardimid, id_, variable, ids), "variable " + name);
   if (dimensions != 2) throw RunError(name_ + ": variable " + name + " holds no texts");
   check(call(nc_inq_dimlen, id_, ids[1], &width), "variable " + name);
-  if (width > bytes_) throw RunError(fmt::format(words::files::longer_than_file, name_, name));
+  if (width > bytes_) throw RunError(fmt::format(longer_than_file, name_, name));
   std::string text(width, '\0');
   read(variable, {index, 0}, {1, width}, text.data());
   return display_text(text.substr(0, text.find('\0')));

@@ -10,7 +10,6 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/disk_file.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -66,12 +65,12 @@ std::string why_not_writable(const std::string& path) {
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(target, error))) return error_text(ELOOP);
   const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return words::files::is_a_folder;
+  if (fs::is_directory(status)) return "is a folder";
   if (const int refused = fs::exists(status) ? may_write(target) : 0) return error_text(refused);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
   if (!fs::exists(folder, error))
-    return fmt::format(words::files::no_such_folder, fs::is_symlink(path, error) ? folder : folder_of(path));
-  if (!fs::is_directory(folder, error)) return fmt::format(words::files::is_no_folder, folder_of(path));
+    return fmt::format("the folder {} does not exist", fs::is_symlink(path, error) ? folder : folder_of(path));
+  if (!fs::is_directory(folder, error)) return fmt::format("{} is not a folder", folder_of(path));
   DiskFile file;
   int refused = 0;
   const std::string trial = create_beside(target, file, refused);

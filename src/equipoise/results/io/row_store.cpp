@@ -8,7 +8,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -50,7 +49,7 @@ void RowStore::take(const Journal::Record& record) {
     if (std::find(discoveries_.begin(), discoveries_.end(), state) == discoveries_.end())
       discoveries_.push_back(std::move(state));
   } else {
-    refuse(part(), words::files::something_else);
+    refuse(part(), "holds something else");
   }
 }
 

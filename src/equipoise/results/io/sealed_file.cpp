@@ -9,7 +9,6 @@
 #include "equipoise/results/io/checksum.hpp"
 #include "equipoise/results/io/disk_file.hpp"
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -42,10 +41,12 @@ std::string why_not_whole(const std::string& path) {
   Seal s{0, 0, 0};
   const std::uint64_t length = file.size().value_or(0);
   const bool sealed = length >= sizeof s && file.read_at(length - sizeof s, &s, sizeof s);
-  if (!sealed || s.mark != seal_mark) return words::files::results_of_other_version;
+  if (!sealed || s.mark != seal_mark)
+    return "is not a file of results of this version: an earlier one wrote it, it was changed or cut short, or it is "
+           "something else";
   Checksum sum;
   const bool whole = s.length == length - sizeof s && file.add_to(sum, 0, s.length) && sum.value() == s.checksum;
-  return whole ? "" : words::files::checksum_differs;
+  return whole ? "" : "is damaged: its content does not match its checksum";
 }
 
 }  // namespace equipoise::io

@@ -9,10 +9,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/words/core.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -48,8 +46,7 @@ Store::Store(const std::string& path, const std::string& identity, const Words& 
 }
 
 Store::Store(const std::string& path, const Words& words) : words_(words), path_(path), part_(path) {
-  if (std::error_code ignored; !std::filesystem::exists(path, ignored))
-    throw InputError(path, "", "", equipoise::words::core::no_file);
+  if (std::error_code ignored; !std::filesystem::exists(path, ignored)) throw InputError(path, "", "", "no such file");
   if (path.ends_with(".part")) journal_.emplace(path);
   identity_ = journal_ ? journal_->identity() : open_results();
 }
@@ -69,7 +66,7 @@ void Store::reading(const std::function<void()>& read) const {
   try {
     read();
   } catch (const RunError& e) {
-    refuse(path_, fmt::format(words::files::damaged_within, e.what()));
+    refuse(path_, fmt::format("is damaged ({})", e.what()));
   }
 }
 
@@ -84,7 +81,7 @@ Journal::Record Store::append(const Journal::Record& record, const void* payload
   try {
     return journal_->append(record, payload, bytes);
   } catch (const RunError& e) {
-    throw RunError(fmt::format(words::files::kept_so_far, e.what()));
+    throw RunError(fmt::format("{}; what was computed before is kept, and the same command goes on from it", e.what()));
   }
 }
 
@@ -93,7 +90,8 @@ void Store::finish(const std::function<void(const std::string&)>& write, Rest re
     journal_->require_sound();
     write(path_);
   } catch (const RunError& e) {
-    throw RunError(fmt::format(words::files::kept_in_part, e.what(), path_));
+    throw RunError(
+        fmt::format("{}; what was computed is kept in {}.part and put in place by the same command", e.what(), path_));
   }
   if (rest == Rest::nothing) journal_->remove();
   if (rest == Rest::notes) journal_->keep_only(Journal::Kind::note);

@@ -15,7 +15,6 @@
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -35,7 +34,8 @@ io::RowStore::Layout layout_of(const BasinFileHeader& header, const std::vector<
 }  // namespace
 
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header)
-    : RowStore(path, io::identity_of(header), {words::files::results_of_this_study, words::files::same_study_or_new},
+    : RowStore(path, io::identity_of(header),
+               {"results of this study", "must be a new file, or results of the same study"},
                layout_of(header, io::start_columns(header))),
       header_(header),
       columns_(io::start_columns(header)),
@@ -70,7 +70,7 @@ void BasinFile::forget_notes() {
 }
 
 std::vector<double> BasinFile::values_of(const char* name, std::uint64_t first, std::size_t count) const {
-  if (first + count > stored_) throw RunError(fmt::format(words::files::start_is_missing, path(), stored_));
+  if (first + count > stored_) throw RunError(fmt::format("{}: start {} is not there", path(), stored_));
   std::vector<double> values(count);
   RowStore::read(column(name), first, count, values.data());
   return values;
@@ -98,7 +98,8 @@ std::string BasinFile::loss() const {
     known = std::max(known, end);
   }
   if (lost == 0) return bytes;
-  return fmt::format(words::files::lost_starts, bytes.empty() ? part() + ":" : bytes + ";", lost, stored_);
+  return fmt::format("{} {} starts are missing, from number {} on", bytes.empty() ? part() + ":" : bytes + ";", lost,
+                     stored_);
 }
 
 std::vector<OutcomeShare> BasinFile::summary() const {
@@ -139,7 +140,7 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   std::vector<Fate> fates(count);
   for (std::size_t i = 0; i < count; ++i)
     if (!io::fate_from(static_cast<short>(codes[i]), static_cast<signed char>(grounds[i]), times[i], fates[i]))
-      throw RunError(fmt::format(words::files::start_without_outcome, path(), first + i));
+      throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", path(), first + i));
   const auto read_figure = [&](const char* name, float Fate::*figure) {
     const auto values = values_of(name, first, count);
     for (std::size_t i = 0; i < count; ++i)

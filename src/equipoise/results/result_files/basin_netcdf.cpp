@@ -15,7 +15,6 @@
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
-#include "equipoise/results/words/files.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 
 namespace equipoise::io {
@@ -40,17 +39,17 @@ void add_starts(Dataset& data, const BasinContents& c) {
   const std::size_t start = data.dimension("start", c.starts);
   std::map<std::string, std::size_t> along{{"ball", data.dimension("ball", static_cast<std::size_t>(c.header.balls))}};
   const auto place = [](std::size_t k) { return k; };
-  data.add("start", "1", words::files::index_of_start, {start}, place, count_type(c));
+  data.add("start", "1", "index of the start", {start}, place, count_type(c));
   const auto number = [](std::size_t k) { return k + 1; };
-  data.add("ball", "1", words::files::number_of_ball, {along["ball"]}, number, Type::integer);
+  data.add("ball", "1", "number of the ball", {along["ball"]}, number, Type::integer);
   if (c.header.full_starts) {
     const std::size_t rotor = along["rotor_component"] = data.dimension("rotor_component", 4);
     data.add_texts("rotor_component", rotor, {"x", "y", "x_dot", "y_dot"}, "entry of rotor_state");
   }
   if (!c.header.drawn.empty()) {
     const std::size_t value = along["uncertain_value"] = data.dimension("uncertain_value", c.header.drawn.size());
-    data.add_texts("uncertain_value", value, c.header.drawn, words::files::key_of_study);
-    data.add_texts("uncertain_unit", value, c.header.drawn_units, words::files::unit_of_drawn);
+    data.add_texts("uncertain_value", value, c.header.drawn, "key of the study");
+    data.add_texts("uncertain_unit", value, c.header.drawn_units, "unit of its values in drawn");
   }
   const std::vector<StartColumn> columns = start_columns(c.header);
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -66,7 +65,7 @@ void add_starts(Dataset& data, const BasinContents& c) {
 void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c) {
   constexpr std::size_t width = unbalance_quantiles.size();
   const std::size_t quantile = data.dimension("unbalance_quantile", width);
-  data.add("unbalance_quantile", "1", words::files::share_of_starts_of_outcome, {quantile},
+  data.add("unbalance_quantile", "1", "share of an outcome's starts", {quantile},
            [](std::size_t k) { return unbalance_quantiles[k]; });
   const auto add = [&](const char* name, const char* units, const char* meaning,
                        std::vector<double> OutcomeShare::*of) {
@@ -75,8 +74,12 @@ void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c)
       return left.empty() ? not_told : left[k % width];
     });
   };
-  add("kind_left_unbalance", "1", words::files::unbalance_left, &OutcomeShare::unbalance);
-  if (c.header.scales) add("kind_left_balance_grade", "mm s-1", words::files::grade_left, &OutcomeShare::grade);
+  add("kind_left_unbalance", "1",
+      "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in M R",
+      &OutcomeShare::unbalance);
+  if (c.header.scales)
+    add("kind_left_balance_grade", "mm s-1", "balance quality grade of that (ISO 21940-11), at the operating speed",
+        &OutcomeShare::grade);
 }
 
 void add_kinds(Dataset& data, const BasinContents& c) {
@@ -86,7 +89,7 @@ void add_kinds(Dataset& data, const BasinContents& c) {
         name, "1", meaning, {kind}, [&c, of](std::size_t k) { return of(c.summary[k]); }, type);
   };
   const auto count = [](const OutcomeShare& s) { return s.share.count; };
-  add("kind_count", words::files::starts_with_outcome, count, count_type(c));
+  add("kind_count", "starts with the outcome", count, count_type(c));
   for (const ShareColumn& s : share_columns)
     add(
         std::string("kind_") + s.name, s.of_ensemble,
@@ -94,9 +97,11 @@ void add_kinds(Dataset& data, const BasinContents& c) {
   if (c.header.sticks) add_left_unbalance(data, kind, c);
   if (c.header.method == SamplingMethod::random) return;  // random starts need no more than their counts
   const auto interval = [](const OutcomeShare& s) { return interval_names[static_cast<std::size_t>(s.share.by)]; };
-  data.add_texts("kind_interval", kind, c.summary, interval, words::files::interval_from);
+  data.add_texts("kind_interval", kind, c.summary, interval,
+                 "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
   const auto effective = [](const OutcomeShare& s) { return s.share.effective_starts; };
-  add("kind_effective_starts", words::files::effective_starts, effective, Type::real);
+  add("kind_effective_starts", "independent random starts that have the same standard error of the share", effective,
+      Type::real);
 }
 
 void add_discoveries(Dataset& data, const BasinContents& c) {
@@ -105,7 +110,10 @@ void add_discoveries(Dataset& data, const BasinContents& c) {
   const std::size_t met = data.dimension("discovery", c.discoveries.size());
   const std::size_t component = data.dimension("component", components.size());
   data.add_texts("component", component, components, "entry of discovery_state");
-  data.add("discovery_state", "1", drawn ? words::files::start_that_met_motion : words::files::state_met_in_run,
+  data.add("discovery_state", "1",
+           drawn ? "start that first met a motion"
+                 : "state on a motion first met during the run: x, y, u, v, phi, phi_dot, and of driven rotors what "
+                   "turns them",
            {met, component},
            [&c, width = components.size()](std::size_t k) { return c.discoveries[k / width][k % width]; });
 }
@@ -153,7 +161,7 @@ void add_within(Dataset& data, const TransientGroup& all) {
     }
   if (names.empty()) return;
   const std::size_t kept = data.dimension("limits_kept", names.size());
-  data.add_texts("limits_kept", kept, names, words::files::within_all_limits);
+  data.add_texts("limits_kept", kept, names, "when a start is within all limits: at_end, on_the_way, both");
   for (const ShareColumn& s : share_columns)
     data.add(std::string("limits_kept_") + s.name, "1", s.of_ensemble, {kept},
              [shares, value = s.value](std::size_t k) { return shares[k].*value; });
@@ -171,24 +179,26 @@ void add_one_bodies(Dataset& data, const WithoutBalls& without) {
   }
   const std::size_t body = data.dimension("one_body", 2), figure = data.dimension("one_body_figure", names.size()),
                     quantile = data.dimension("figure_quantile", width);
-  data.add_texts("one_body", body, {words::files::no_balls, words::files::balls_held},
-                 words::files::what_rotor_carries);
-  data.add_texts("one_body_figure", figure, names, words::files::column_of_transients);
-  data.add("figure_quantile", "1", words::files::share_of_runs_below, {quantile},
+  data.add_texts("one_body", body, {"no balls", "balls held where they start"}, "what the rotor carries");
+  data.add_texts("one_body_figure", figure, names, "column of the starts' transients");
+  data.add("figure_quantile", "1", "share of runs that have less", {quantile},
            [](std::size_t k) { return reported_quantiles[k]; });
   const auto runs_of = [&without](std::size_t k) -> const OneBodyRuns& { return k == 0 ? without.bare : without.held; };
   const auto summary_of = [runs_of, told](std::size_t k) -> const SampleSummary& {
     return runs_of(k / told.size()).figures.figures[told[k % told.size()]];
   };
   data.add("one_body_runs", "1", "runs followed", {body}, [runs_of](std::size_t k) { return runs_of(k).runs; });
-  data.add("one_body_stalled", "1", words::files::runs_stalled, {body},
+  data.add("one_body_stalled", "1", "of these, that stalled", {body},
            [runs_of](std::size_t k) { return runs_of(k).stalled; });
-  data.add("one_body_mean", "1", words::files::mean_of_runs, {body, figure}, [summary_of](std::size_t k) {
-    const SampleSummary& s = summary_of(k);
-    return s.open < s.count ? s.mean : not_told;
-  });
-  data.add("one_body_quantile", "1", words::files::quantile_of_runs, {body, figure, quantile},
-           [summary_of](std::size_t k) {
+  data.add("one_body_mean", "1", "mean of the figure over runs in which it is finite, dimensionless as in its column",
+           {body, figure}, [summary_of](std::size_t k) {
+             const SampleSummary& s = summary_of(k);
+             return s.open < s.count ? s.mean : not_told;
+           });
+  data.add("one_body_quantile", "1",
+           "quantile of the figure over runs, dimensionless as in its column; infinite where it has no end, missing "
+           "where it was not asked",
+           {body, figure, quantile}, [summary_of](std::size_t k) {
              const SampleSummary& s = summary_of(k / width);
              return s.count > 0 ? s.quantiles[k % width].value : not_told;
            });
@@ -197,7 +207,7 @@ void add_one_bodies(Dataset& data, const WithoutBalls& without) {
 }  // namespace
 
 void write_basin_netcdf(const std::string& path, const BasinContents& contents) {
-  Dataset data(words::files::basins);
+  Dataset data("Basins of a rotor with an automatic ball balancer");
   data.filled = false;
   add_starts(data, contents);
   add_kinds(data, contents);

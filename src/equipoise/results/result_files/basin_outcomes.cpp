@@ -11,9 +11,15 @@
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
+
+namespace {
+
+constexpr char finished_basin[] = "{}; must be a result that \"basin -o\" finished";
+
+}  // namespace
 
 namespace io {
 
@@ -21,7 +27,7 @@ std::size_t add_outcome_kinds(Dataset& data, const std::string& before, const st
   const std::size_t kind = data.dimension("outcome_kind", kinds.size());
   const auto code = [&kinds](std::size_t k) { return kinds[k].id; };
   data.add(before + "code", "1", "value of outcome", {kind}, code, DataColumn::Type::small);
-  data.add_texts(before + "name", kind, kinds, &OutcomeShare::name, words::files::name_of_outcome);
+  data.add_texts(before + "name", kind, kinds, &OutcomeShare::name, "name of the outcome");
   data.add_texts(before + "alias", kind, kinds, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
   return kind;
 }
@@ -48,11 +54,10 @@ void add_outcome_flags(DataColumn& column, const std::vector<OutcomeShare>& kind
 
 BasinOutcomes read_basin_outcomes(const std::string& path) {
   if (const std::string problem = io::why_not_whole(path); !problem.empty())
-    throw InputError(path, "", "", fmt::format(words::files::finished_basin, problem));
+    throw InputError(path, "", "", fmt::format(finished_basin, problem));
   const io::NetcdfFile file(path, io::NetcdfFile::Mode::read);
   const std::size_t starts = file.length("start"), kinds = file.length("outcome_kind");
-  if (starts == 0 || kinds == 0)
-    throw InputError(path, "", "", fmt::format(words::files::finished_basin, words::files::no_starts));
+  if (starts == 0 || kinds == 0) throw InputError(path, "", "", fmt::format(finished_basin, "holds no starts"));
   BasinOutcomes result;
   result.study = parse_kept_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";

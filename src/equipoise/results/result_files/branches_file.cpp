@@ -10,7 +10,7 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/words/files.hpp"
+#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -31,8 +31,8 @@ void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
   const auto balls = static_cast<std::size_t>(r.study.parameters.balls);
   const std::size_t attractor = data.dimension("attractor", r.branches.size()), ball = data.dimension("ball", balls);
   const auto id = [&r](std::size_t k) { return static_cast<double>(r.branches[k].id); };
-  data.add("id", "1", words::files::id_along_range, {attractor}, id, Type::integer);
-  data.add_texts("name", attractor, r.branches, &Branch::name, words::files::name_of_attractor);
+  data.add("id", "1", "identifier, the same along the whole range", {attractor}, id, Type::integer);
+  data.add_texts("name", attractor, r.branches, &Branch::name, "name of the attractor");
   data.add_texts("alias", attractor, r.branches, &Branch::alias, words::files::name_by_wright_and_peng);
   const auto add_flag = [&](const char* name, const char* meaning, int (*of)(const Motion&), std::vector<int> flags,
                             const char* meanings) {
@@ -46,9 +46,9 @@ void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
     column.attributes.emplace_back("flag_meanings", meanings);
   };
   const auto kind = [](const Motion& m) { return static_cast<int>(m.kind); };
-  add_flag("kind", "kind of motion", kind, {0, 1, 2, 3}, words::files::kinds_of_motion);
+  add_flag("kind", "kind of motion", kind, {0, 1, 2, 3}, "equilibrium periodic quasi-periodic chaotic");
   const auto stable = [](const Motion& m) { return m.stable ? 1 : 0; };
-  add_flag("stable", words::files::whether_it_attracts, stable, {0, 1}, "unstable stable");
+  add_flag("stable", "whether the motion attracts its neighbourhood", stable, {0, 1}, "unstable stable");
   const auto add_numbers = [&](const auto& numbers) {
     for (const MotionNumber& n : numbers) {
       const auto number = [&r, &n](std::size_t k) {
@@ -63,7 +63,9 @@ void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
     const Motion* motion = motion_at(r, k / balls);
     return motion ? motion->drift[k % balls] : no_number;
   };
-  data.add("drift", "1", words::files::drift_of_ball, {value, attractor, ball}, drift).fill = no_number;
+  data.add("drift", "1", "mean rate of a ball in the rotating frame, radians times omega_c", {value, attractor, ball},
+           drift)
+      .fill = no_number;
   if (r.study.speed.driven()) add_numbers(motor_numbers);
 }
 
@@ -74,19 +76,19 @@ void add_events(Dataset& data, const std::vector<const BranchEvent*>& events) {
     const auto number = [events, member](std::size_t k) { return static_cast<double>(events[k]->*member); };
     data.add(name, "1", meaning, {event}, number, type);
   };
-  add("event_id", words::files::attractor_of_event, &BranchEvent::id, Type::integer);
+  add("event_id", "identifier of the attractor to which it happens", &BranchEvent::id, Type::integer);
   const auto change = [](const BranchEvent* e) { return name_of(e->change); };
   data.add_texts("event_change", event, events, change, "what happens");
   const auto cause = [](const BranchEvent* e) { return name_of(e->cause); };
-  data.add_texts("event_type", event, events, cause, words::files::type_of_bifurcation);
-  add("event_low", words::files::above_parameter, &BranchEvent::low, Type::real);
-  add("event_high", words::files::below_parameter, &BranchEvent::high, Type::real);
+  data.add_texts("event_type", event, events, cause, "type of the bifurcation");
+  add("event_low", "it happens above this value of the parameter", &BranchEvent::low, Type::real);
+  add("event_high", "it happens below this value of the parameter", &BranchEvent::high, Type::real);
 }
 
 }  // namespace
 
 void write_branches_file(const std::string& path, const BranchesResult& result) {
-  Dataset data(words::files::attractors_along);
+  Dataset data("Attractors of a rotor with an automatic ball balancer along a parameter");
   const std::size_t value = data.dimension("value", result.values.size());
   data.add("value", "1", fmt::format("{}: {}", result.key, parameter_label(result.key)), {value},
            [&result](std::size_t k) { return result.values[k]; });

@@ -21,7 +21,6 @@
 #include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -111,11 +110,13 @@ void read_unfinished(Inspection& i) {
                                    {Kind::trial, "trials done"},
                                    {Kind::ensemble, "ensembles done"},
                                    {Kind::cell, "cells done"},
-                                   {Kind::note, words::files::search_steps}})
+                                   {Kind::note, "steps of the search"}})
     if (done[kind] > 0)
       i.facts.emplace_back(fact, fmt::format("{}{}", kind == Kind::starts ? "up to number " : "", done[kind]));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
-  if (journal.lost_bytes() > 0) i.damage = fmt::format(words::files::damaged_within_sound, journal.lost_bytes());
+  if (journal.lost_bytes() > 0)
+    i.damage = fmt::format("{} bytes are damaged or cut off; all other records are sound and will be used",
+                           journal.lost_bytes());
 }
 
 bool is_netcdf(const std::string& path) {
@@ -132,10 +133,11 @@ Inspection inspect_file(const std::string& path) {
   std::error_code error;
   i.bytes = std::filesystem::file_size(path, error);
   if (error || !std::filesystem::is_regular_file(path))
-    throw InputError(path, "", "",
-                     fmt::format(words::files::results_or_unfinished_part, error && error != std::errc::not_supported
-                                                                               ? unreadable_because(error.value())
-                                                                               : words::files::not_a_regular_file));
+    throw InputError(
+        path, "", "",
+        fmt::format(
+            "cannot be read ({}); must be a file of results (.nc), or its unfinished part (.nc.part)",
+            error && error != std::errc::not_supported ? unreadable_because(error.value()) : "not a regular file"));
   if (!is_netcdf(path)) {
     read_unfinished(i);
     return i;

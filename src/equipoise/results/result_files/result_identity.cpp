@@ -12,7 +12,6 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -67,7 +66,7 @@ std::vector<std::string> IdentityLines::over() const {
 }
 
 std::string axis_text(const SliceAxis& axis) {
-  return fmt::format(words::files::axis_of_map, axis.key, axis.low, axis.high, axis.pixels);
+  return fmt::format("{} from {} to {} in {} pixels", axis.key, axis.low, axis.high, axis.pixels);
 }
 
 void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y) {
@@ -90,31 +89,35 @@ std::string difference(const std::string& there, const std::string& here) {
   for (const auto& [key, unused] : all) {
     const std::string before = told(old_values, key), now = told(values, key);
     if (before == now) continue;
-    if (++count <= most_told) text += fmt::format(words::files::differs, count > 1 ? ", " : "", key, before, now);
+    if (++count <= most_told)
+      text += fmt::format("{}{} is {} there and {} here", count > 1 ? ", " : "", key, before, now);
   }
-  if (count > most_told) text += fmt::format(words::files::and_more_differences, count - most_told);
-  return count == 0 && there != here ? words::files::header_differs : text;
+  if (count > most_told) text += fmt::format(", and {} more", count - most_told);
+  return count == 0 && there != here ? "its header has a different format" : text;
 }
 
 void require_same(const std::string& there, const std::string& here, const std::string& of, const std::string& results,
                   const std::string& allowed) {
   const std::string how = difference(there, here);
-  if (!how.empty()) throw InputError(of, "", "", fmt::format(words::files::other_results, results, how, allowed));
+  if (!how.empty())
+    throw InputError(of, "", "", fmt::format("holds something other than {}: {}; {}", results, how, allowed));
 }
 
 std::string results_path(const std::string& path, const std::string& allowed) {
   if (const std::string problem = why_not_writable(path); !problem.empty())
-    throw InputError("output", "", path, fmt::format(words::files::must_be_writable, problem));
+    throw InputError("output", "", path, fmt::format("{}; must be a file that can be written", problem));
   const std::string place = resolved(path);
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
-    throw InputError("output", "", path, fmt::format(words::files::no_regular_file, allowed));
+    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
   return place;
 }
 
 std::string path_for_whole_results(const std::string& path) {
-  const std::string place = results_path(path, words::files::replaceable), unfinished = place + ".part";
+  const std::string place = results_path(path, "must be a file that can be replaced"), unfinished = place + ".part";
   if (std::filesystem::exists(unfinished))
-    throw InputError("output", "", path, fmt::format(words::files::unfinished_results_beside, unfinished));
+    throw InputError(
+        "output", "", path,
+        fmt::format("has unfinished results beside it, {}; must be another file, or finish those first", unfinished));
   return place;
 }
 

@@ -12,7 +12,6 @@
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -60,7 +59,7 @@ std::string identity_of(const SliceFileHeader& h) {
 }
 
 std::vector<StoredColumn> pixel_columns(bool one_rotor) {
-  std::vector<StoredColumn> columns{{{"outcome", words::files::outcome_of_pixel}, DataColumn::Type::small, 1, "x"}};
+  std::vector<StoredColumn> columns{{{"outcome", "what the pixel's start comes to"}, DataColumn::Type::small, 1, "x"}};
   visit_pixel_numbers(one_rotor, [&](std::size_t k, float SlicePixel::*) {
     columns.push_back({pixel_numbers[k], DataColumn::Type::single, 1, "x"});
   });
@@ -70,7 +69,7 @@ std::vector<StoredColumn> pixel_columns(bool one_rotor) {
 Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
                       const std::vector<std::vector<double>>& discoveries, bool complete,
                       const std::function<DataValues(std::size_t)>& values) {
-  Dataset data(words::files::over_a_plane);
+  Dataset data("Where a rotor with an automatic ball balancer ends, over a plane");
   data.filled = false;
   const std::size_t y = data.dimension("y", static_cast<std::size_t>(header.y.pixels));
   const std::size_t x = data.dimension("x", static_cast<std::size_t>(header.x.pixels));
@@ -79,11 +78,12 @@ Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeSh
              [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
   add_pixels(data, {y, x}, header, codes, values);
   const std::size_t kind = add_outcome_kinds(data, "", codes);
-  data.add("share", "1", words::files::share_of_pixels, {kind},
-           [&codes](std::size_t k) { return codes[k].share.share; });
+  data.add("share", "1", "share of the map's pixels", {kind}, [&codes](std::size_t k) { return codes[k].share.share; });
   if (!discoveries.empty()) {
     const std::size_t met = data.dimension("discovery", discoveries.size()), width = discoveries.front().size();
-    data.add("discovery_state", "1", words::files::state_met_at_pixel, {met, data.dimension("component", width)},
+    data.add("discovery_state", "1",
+             "state on a motion first met at a pixel: x, y, u, v, phi, phi_dot, and of driven rotors what turns them",
+             {met, data.dimension("component", width)},
              [&discoveries, width](std::size_t k) { return discoveries[k / width][k % width]; });
   }
   say_attributes(data, header, complete);

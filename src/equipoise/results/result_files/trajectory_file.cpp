@@ -12,7 +12,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -51,7 +50,7 @@ void write_csv_file(const std::string& path, const Trajectory& trajectory) {
 }
 
 void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {
-  Dataset data(words::files::trajectory);
+  Dataset data("Trajectory of a rotor with an automatic ball balancer");
   const std::size_t time = data.dimension("t", r.t.size()), ball = data.dimension("ball", r.phi.size());
   const std::size_t bearing = r.bearing_radial.empty() ? ball : data.dimension("bearing", r.bearing_radial.size());
   for (const TrajectoryColumn& c : trajectory_columns) {

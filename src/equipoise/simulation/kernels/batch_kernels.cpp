@@ -6,7 +6,6 @@
 
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/simulation/kernels/batch_job.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/simulation/kernels/batch_kernels.cpp"
@@ -119,12 +118,13 @@ std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); 
 // chooses.
 std::string cpu_arithmetic(const std::string& target) {
 #if !(defined(EQUIPOISE_KERNELS_CONTRACTED) && defined(__FMA__))  // GCC would fuse in portable code, too
-  if (target == "SSE4" || target == "scalar") return words::runs::not_fused;
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
 #endif
 #ifdef EQUIPOISE_KERNELS_CONTRACTED
-  if (target == "AVX-512" || target == "AVX2") return words::runs::fused;
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
 #else
-  if (target == "AVX-512" || target == "AVX2" || target == "NEON") return words::runs::fused_where_written;
+  if (target == "AVX-512" || target == "AVX2" || target == "NEON")
+    return "with fused multiply-add where it is written (AVX2, AVX-512, NEON)";
 #endif
   return "of " + target;
 }

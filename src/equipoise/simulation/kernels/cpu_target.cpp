@@ -6,7 +6,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -15,7 +14,8 @@ void require_cpu_target(const std::string& name, const std::string& where, const
   if (use_cpu_target(name)) return;
   use_cpu_target(before);
   throw InputError(where, key, display_text(name),
-                   fmt::format(words::runs::no_such_cpu, fmt::join(cpu_targets(), ", ")));
+                   fmt::format("must be one of those this program is built for and this machine has: {}",
+                               fmt::join(cpu_targets(), ", ")));
 }
 
 ChosenCpuTarget::ChosenCpuTarget(const std::string& name) {

@@ -15,7 +15,6 @@
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/transients/transient_watch.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -24,8 +23,10 @@ namespace {
 // With the key that says how long it takes.
 [[noreturn]] void clamped_failed(const Study& study) {
   const bool ramp = study.speed.profile == Profile::ramp && !study.release.time && !study.release.speed;
-  throw RunError(fmt::format(words::runs::clamped_not_integrated_of, ramp ? "speed.duration" : "release.time",
-                             ramp ? study.speed.duration : study.release_time()));
+  throw RunError(
+      fmt::format("the rotor could not be followed until the balls are let go; {} = {} may be too short or too long, "
+                  "or [initial] too far from rest",
+                  ramp ? "speed.duration" : "release.time", ramp ? study.speed.duration : study.release_time()));
 }
 
 }  // namespace

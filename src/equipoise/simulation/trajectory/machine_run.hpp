@@ -13,7 +13,7 @@
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/contents/study.hpp"
-#include "equipoise/simulation/words/runs.hpp"
+#include "equipoise/simulation/rule/words.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -26,8 +26,10 @@ inline void check_overlap(const Study& study) {
     for (int j = 0; j < i; ++j) {
       const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
       if (apart < p.contact_angle)
-        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
-                         fmt::format(words::runs::two_balls_overlap, j + 1, i + 1, apart, p.contact_angle));
+        throw InputError(
+            study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+            fmt::format("balls {} and {} overlap: {} rad apart; must be at least {} apart, as balls are that touch",
+                        j + 1, i + 1, apart, p.contact_angle));
     }
 }
 

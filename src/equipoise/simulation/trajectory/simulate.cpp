@@ -20,7 +20,6 @@
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/trajectory/machine_run.hpp"
 #include "equipoise/simulation/trajectory/record.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -31,10 +30,10 @@ void check_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || times[i] < 0.0)
       throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       words::runs::finite_not_negative);
+                       "must be a finite number, 0 or more");
     if (i > 0 && !(times[i] > times[i - 1]))
       throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       fmt::format(words::runs::times_out_of_order, times[i - 1]));
+                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
   }
 }
 
@@ -202,11 +201,13 @@ std::vector<double> output_times(const Study& study, std::optional<double> asked
   const model::Drive drive = study.drive();
   const double last_branch = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
   const double until = asked_until.value_or(last_branch + 100.0);
-  if (!(until >= 0.0 && until <= last_output_time)) reject("until", until, words::runs::time_range);
+  if (!(until >= 0.0 && until <= last_output_time)) reject("until", until, "must be a number from 0 to 1e9");
   const double every = asked_every.value_or(until > 0.0 ? until / 100.0 : 1.0);
-  if (!(every > 0.0 && every <= last_output_time)) reject("every", every, words::runs::step_range);
+  if (!(every > 0.0 && every <= last_output_time))
+    reject("every", every, "must be a number greater than 0, at most 1e9");
   if (until / every > most_output_rows)
-    reject("every", every, fmt::format(words::runs::too_many_rows, most_output_rows, until / most_output_rows));
+    reject("every", every,
+           fmt::format("makes more than {:.0f} rows; must be at least {}", most_output_rows, until / most_output_rows));
   std::vector<double> times;
   const auto rows = static_cast<std::size_t>(std::floor(until / every * (1.0 + 1e-12)));
   for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);

@@ -17,11 +17,12 @@
 #include "equipoise/machine/model/hybrid_flow-inl.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/trajectory/record.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr char sticking_needs_events[] = "balls that stick need events, as simulate() has them; must be 0";
 namespace kernels = HWY_NAMESPACE;
 
 constexpr int most = model::largest_state;
@@ -37,11 +38,14 @@ void check_has_equations(const Study& study) {
     throw InputError(study.name, key, fmt::format("{}", value), why);
   };
   if (!study.uncertain.empty())
-    throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::equations_of_one_rotor);
-  if (p.balls_collide()) refuse("balancer.contact_angle", p.contact_angle, words::runs::contact_needs_events);
+    throw InputError(study.name, study.uncertain.values.front().key, "",
+                     "is uncertain; equations are those of one rotor: with_medians() or drawn_study()");
+  if (p.balls_collide())
+    refuse("balancer.contact_angle", p.contact_angle,
+           "balls that meet need events, as simulate() has them; must be 0, or contact = false");
   for (int i = 0; i < p.balls; ++i) {
-    if (p.rolling[i] > 0.0) refuse("balancer.rolling", p.rolling[i], words::runs::sticking_needs_events);
-    if (p.stiction[i] > 0.0) refuse("balancer.stiction", p.stiction[i], words::runs::sticking_needs_events);
+    if (p.rolling[i] > 0.0) refuse("balancer.rolling", p.rolling[i], sticking_needs_events);
+    if (p.stiction[i] > 0.0) refuse("balancer.stiction", p.stiction[i], sticking_needs_events);
   }
 }
 
@@ -77,7 +81,7 @@ struct StudyEquations::State {
   // Throws if no speed triggers the release.
   double deciding_speed() const {
     if (drive.release_speed) return *drive.release_speed;
-    throw InputError(study.name, "release.speed", "", words::runs::no_release_speed);
+    throw InputError(study.name, "release.speed", "", "is not what lets the balls go; must be that of a driven rotor");
   }
 
   const model::DrivePiece& drive_at(std::size_t piece) const { return drive.pieces[drive_of[piece]]; }
@@ -179,7 +183,7 @@ StudyEquations StudyEquations::released_at(double t) const {
   state_->deciding_speed();
   model::Drive drive = state_->drive;
   if (!std::isfinite(t) || t < 0.0)
-    throw InputError("release", "time", fmt::format("{}", t), words::runs::finite_not_negative);
+    throw InputError("release", "time", fmt::format("{}", t), "must be a finite number, 0 or more");
   drive.release_speed.reset();
   drive.release_time = t;
   return StudyEquations(std::make_shared<const State>(study(), std::move(drive)));

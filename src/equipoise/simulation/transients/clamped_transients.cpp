@@ -14,7 +14,6 @@
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/transients/transient_step-inl.hpp"
-#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -119,7 +118,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     return;
   }
   if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
-    throw RunError(words::runs::clamped_not_integrated);
+    throw RunError("the clamped spin-up could not be integrated");
   if (!proportional_) return;
   const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
   radius_peak_ = radius_.largest(one);

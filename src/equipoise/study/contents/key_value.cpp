@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
 
 namespace {
+
+constexpr char of_tilt[] = "[of a deflection and a tilt, of a tilt], or { x = [..], y = [..] }";
 
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
@@ -50,7 +50,8 @@ struct KeyReading {
   }
   void operator()(std::optional<SamplingBox::Side>* v) const {
     const std::vector<double> bounds = two(reader, key.name, "[low, high]");
-    if (!(bounds[0] <= bounds[1])) reader.fail(key.name, words::study::bounds_out_of_order);
+    if (!(bounds[0] <= bounds[1]))
+      reader.fail(key.name, "bounds out of order; must be [low, high] with low at most high");
     *v = {bounds[0], bounds[1]};
   }
   template <std::integral T>
@@ -70,12 +71,13 @@ struct KeyReading {
 
   std::vector<double> two(TableReader& table, const char* name, const char* form) const {
     std::vector<double> entries = table.numbers(name, wanted);
-    if (entries.size() != 2) table.fail(name, fmt::format(words::study::two_numbers, entries.size(), form));
+    if (entries.size() != 2)
+      table.fail(name, fmt::format("has {} entries; must be two finite numbers, {}", entries.size(), form));
     return entries;
   }
   // [k12, k22] or [c12, c22].
   std::vector<double> supports(TableReader& table, const char* name) const {
-    if (!reader.physical()) return two(table, name, words::study::of_tilt);
+    if (!reader.physical()) return two(table, name, of_tilt);
     const bool springs = key.name == std::string_view("stiffness");
     const std::array<Dimension, 2> dimensions{springs ? Dimension::force : Dimension::tilt_damping,
                                               springs ? Dimension::torque : Dimension::gain};
@@ -84,8 +86,12 @@ struct KeyReading {
     };
     const bool both = &table == &reader;
     const StudyValue::Array* array =
-        table.require(name, both ? examples(words::machine::across_and_tilt) : words::study::of_tilt).array();
-    if (!array || array->size() != 2) table.fail(name, examples(words::machine::must_be_across_and_tilt));
+        table
+            .require(name,
+                     both ? examples("rotor.tilt.bearings, or [\"{}\", \"{}\"], or {{ x = [..], y = [..] }}") : of_tilt)
+            .array();
+    if (!array || array->size() != 2)
+      table.fail(name, examples("must be [\"{}\", \"{}\"], or {{ x = [..], y = [..] }}"));
     std::vector<double> entries;
     for (const Dimension dimension : dimensions)
       entries.push_back(measure_value((*array)[entries.size()], {any_number, {dimension}}, [&](const std::string& p) {

@@ -11,7 +11,6 @@
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/toml/printable.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -128,7 +127,7 @@ bool nearly_same(std::string_view a, std::string_view b) {
 
 std::string unknown_key(std::string_view table, std::string_view key, const Names& known) {
   const std::string other = likely(table, key, known);
-  return fmt::format(words::study::unknown_key, other.empty() ? "" : fmt::format(words::study::did_you_mean, other),
+  return fmt::format("unknown key{} (allowed: {})", other.empty() ? "" : fmt::format("; did you mean \"{}\"?", other),
                      fmt::join(known, ", "));
 }
 
@@ -155,7 +154,7 @@ void check_keys_of(const StudyFile& file, bool physical, const KeyTable& list, c
       return holds(names_in(file, other, physical), key);
     });
     if (home != key_tables().end() && likely(list.name, name, known).empty())
-      problem += fmt::format(words::study::key_of_other_table, home->name);
+      problem += fmt::format("; [{}] has a key of this name", home->name);
     throw InputError(file.where(dotted, &value), path + "." + printable(name), file.value_text(dotted, value), problem);
   }
 }

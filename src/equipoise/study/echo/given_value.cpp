@@ -8,7 +8,6 @@
 
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/words/units.hpp"
 
 namespace equipoise::study {
 
@@ -36,7 +35,7 @@ GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& u
   const auto [after, error] = read_number(text.data(), end, given.value);
   if (error == std::errc() && after == end && std::isfinite(given.value)) return given;
   if (!unit) {
-    given.problem = words::units::no_plain_number;
+    given.problem = "is not a plain number";
     return given;
   }
   std::vector<Dimension> wanted{unit->dimension};

@@ -7,7 +7,6 @@
 
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise {
 
@@ -72,7 +71,8 @@ Study stating_release(Study study) {
 }
 
 std::string to_physical_toml(const Study& study) {
-  if (!study.scales) throw InputError(study.name, "units", "", words::study::no_units);
+  if (!study.scales)
+    throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
   StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);

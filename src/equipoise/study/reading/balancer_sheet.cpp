@@ -16,11 +16,12 @@
 #include "equipoise/machine/datasheet/oils.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/ways.hpp"
-#include "equipoise/study/words/machine.hpp"
 
 namespace equipoise::study {
 
 namespace {
+
+constexpr char needs_diameter[] = "needs balancer.ball_diameter, such as \"8 mm\"";
 
 struct Oil {
   double kinematic_viscosity = 0.0, density = 0.0;  // m^2/s, kg/m^3
@@ -52,8 +53,10 @@ class GradedOil {
 
   void check_temperature(double coldest, double hottest, const char* of) const {
     if (!(kelvin_ >= coldest && kelvin_ <= hottest))
-      fail("at", fmt::format(words::machine::oil_temperature, coldest - model::celsius_zero,
-                             hottest - model::celsius_zero, of));
+      fail("at",
+           fmt::format(
+               "must be from {:.6g} to {:.6g} degC: the law of {} holds there; beyond it give balancer.oil_viscosity",
+               coldest - model::celsius_zero, hottest - model::celsius_zero, of));
   }
 
   Oil silicone_oil(const std::string& viscosity) const {
@@ -63,9 +66,11 @@ class GradedOil {
     // Conversions round.
     if (!measured.problem.empty() || at_25 < model::thinnest_silicone * (1.0 - 1e-12) ||
         at_25 > model::thickest_silicone * (1.0 + 1e-12))
-      fail("grade", fmt::format(words::machine::silicone_grade, model::thinnest_silicone, model::thickest_silicone));
+      fail("grade", fmt::format("must be \"silicone\" with its viscosity at 25 degC, from {:.0f} to {:.0f} cSt, such "
+                                "as \"silicone 1000 cSt\"; for others give balancer.oil_viscosity",
+                                model::thinnest_silicone, model::thickest_silicone));
     if (machine_.states("balancer.oil.viscosity_100"))
-      fail("viscosity_100", words::machine::viscosity_of_silicone_is_known);
+      fail("viscosity_100", "applies to mineral oils only; leave it out for a silicone oil");
     return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density};
   }
 
@@ -83,8 +88,9 @@ class GradedOil {
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }
-    fail("grade", fmt::format(words::machine::unknown_oil,
-                              nearest == 0.0 ? "" : fmt::format(words::machine::did_you_mean_grade, nearest)));
+    fail("grade", fmt::format("{}must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
+                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"",
+                              nearest == 0.0 ? "" : fmt::format("did you mean \"ISO VG {:.0f}\"? ", nearest)));
     return 0.0;
   }
 
@@ -94,9 +100,11 @@ class GradedOil {
     const std::optional<double> at_100 = machine_.states("balancer.oil.viscosity_100")
                                              ? machine_.sheet.oil_viscosity_100 / square_mm
                                              : model::viscosity_at_100(at_40, model::usual_viscosity_index);
-    if (!at_100) fail("grade", words::machine::too_thin_for_index);
+    if (!at_100)
+      fail("grade", "is thinner than viscosity indices are defined for; give viscosity_100, such as \"1.1 cSt\"");
     if (!(*at_100 < at_40) || !(*at_100 > 0.5))
-      fail("viscosity_100", fmt::format(words::machine::viscosity_at_100, at_40));
+      fail("viscosity_100",
+           fmt::format("must be at least 0.5 cSt and less than the viscosity at 40 degC, {:.6g} cSt", at_40));
     return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density};
   }
 
@@ -131,7 +139,7 @@ class Balls {
   bool states(const std::string& key) const { return machine_.states("balancer." + key); }
   void refuse(const std::string& key, const std::string& problem) const { refuse_("balancer." + key, problem); }
   void need_diameter(std::string_view key) const {
-    if (details_.diameter.empty()) refuse(std::string(key), words::machine::needs_diameter);
+    if (details_.diameter.empty()) refuse(std::string(key), needs_diameter);
   }
 
   std::vector<double> masses() const {
@@ -155,7 +163,7 @@ class Balls {
     if (d_.drag_of_force)
       for (double& d : drag) d *= radius_ * radius_;
     for (const char* key : {"oil_density", "channel_diameter"})
-      if (states(key)) refuse(key, words::machine::only_with_oil);
+      if (states(key)) refuse(key, "has a meaning only with balancer.oil_viscosity or balancer.oil");
     return drag;
   }
 
@@ -168,7 +176,8 @@ class Balls {
       details_.oil_viscosity = oil.kinematic_viscosity * *details_.oil_density;
       return;
     }
-    if (d_.kinematic && !details_.oil_density) refuse("oil_viscosity", words::machine::needs_oil_density);
+    if (d_.kinematic && !details_.oil_density)
+      refuse("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
     details_.oil_viscosity = d_.kinematic ? d_.oil_viscosity * *details_.oil_density : d_.oil_viscosity;
   }
 
@@ -180,8 +189,9 @@ class Balls {
     for (const double d : details_.diameter) {
       if (in_channel && !at_most(d, model::widest_ball_in_channel * d_.channel))
         refuse("channel_diameter",
-               fmt::format(words::machine::channel_too_narrow, 1000.0 * d / model::widest_ball_in_channel,
-                           model::widest_ball_in_channel));
+               fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the channel; "
+                           "in a closer fit measure the drag and state balancer.drag",
+                           1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
       drag.push_back(model::stokes_drag(*details_.oil_viscosity, d) *
                      (in_channel ? model::wall_correction(d / d_.channel) : 1.0) * radius_ * radius_);
     }
@@ -191,7 +201,7 @@ class Balls {
   // Balls of known size touch; different sizes are not supported yet.
   void put_contact() {
     if (states("contact_angle")) {
-      if (states("contact")) refuse("contact", words::machine::contact_angle_or_contact);
+      if (states("contact")) refuse("contact", "give either balancer.contact_angle or balancer.contact, not both");
       return;
     }
     const std::vector<double>& diameter = details_.diameter;
@@ -199,11 +209,12 @@ class Balls {
         std::all_of(diameter.begin(), diameter.end(), [&](double d) { return d == diameter.front(); });
     if (!(states("contact") ? d_.contact : !diameter.empty() && one_size)) return;
     need_diameter("contact");
-    if (!one_size) refuse("contact", words::machine::balls_of_one_diameter);
+    if (!one_size) refuse("contact", "needs balls of one diameter");
     if (p_.balls == 1) return;
     const double widest = 2.0 * radius_ * std::sin(pi / p_.balls);
     if (diameter.front() >= widest)
-      refuse("ball_diameter", fmt::format(words::machine::balls_fill_race, 1000.0 * widest, p_.balls));
+      refuse("ball_diameter", fmt::format("must be less than {:.6g} mm: at that size {} touching balls fill the race",
+                                          1000.0 * widest, p_.balls));
     p_.contact_angle = 2.0 * std::asin(0.5 * diameter.front() / radius_);
   }
 
@@ -226,13 +237,14 @@ double put_race(const Study& machine, Study& study, const Refuse& refuse) {
   if (machine.states("balancer.ball_diameter"))
     diameter.assign(machine.sheet.diameter.begin(), machine.sheet.diameter.begin() + machine.parameters.balls);
   for (const double d : diameter)
-    if (d >= 2.0 * race) refuse("balancer.ball_diameter", words::machine::ball_fills_race);
+    if (d >= 2.0 * race) refuse("balancer.ball_diameter", "must be less than the diameter of the race");
   if (!machine.parameters.rolls) return race;
-  if (stated && !diameter.empty()) refuse("balancer.ball_radius", words::machine::radius_or_diameter);
-  if (!stated && diameter.empty()) refuse("balancer.rolls", words::machine::needs_diameter);
+  if (stated && !diameter.empty())
+    refuse("balancer.ball_radius", "give either balancer.ball_radius or balancer.ball_diameter, not both");
+  if (!stated && diameter.empty()) refuse("balancer.rolls", needs_diameter);
   for (std::size_t i = 0; i < diameter.size(); ++i) study.parameters.ball_radius[i] = 0.5 * diameter[i];
   for (const double radius : study.parameters.ball_radius)
-    if (radius >= race) refuse("balancer.ball_radius", words::machine::ball_radius_too_large);
+    if (radius >= race) refuse("balancer.ball_radius", "must be less than the radius of the race");
   return race;
 }
 

@@ -15,8 +15,7 @@
 #include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -42,7 +41,7 @@ void read_array(const StudyFile& file, const char* key, const char* wanted, std:
 // A grade, or the velocity that it means, "6.3 mm/s"; in m/s.
 double grade_of(const TableReader& reader, const StudyValue& value) {
   const std::string* text = value.string();
-  const std::string wanted = words::machine::must_be_grade;
+  const std::string wanted = "must be a balance quality grade such as \"G 6.3\", or what it means, \"6.3 mm/s\"";
   const auto named = text ? grade_named(*text) : std::nullopt;
   const Measured measured = text ? measure(*text, {Dimension::velocity}) : Measured{};
   if (!named && (!text || !measured.problem.empty())) reader.fail("grade", wanted);
@@ -54,7 +53,7 @@ double grade_of(const TableReader& reader, const StudyValue& value) {
 void read_grade(const StudyFile& file, Study& study) {
   if (!study.states("rotor.balance_grade")) return;
   TableReader reader(file, "rotor.balance_grade");
-  study.sheet.grade = grade_of(reader, reader.require("grade", words::machine::grade));
+  study.sheet.grade = grade_of(reader, reader.require("grade", "a balance quality grade such as \"G 6.3\""));
   read_key(reader, *key_table("rotor.balance_grade").find("at", true), study);
   reader.finish();
 }
@@ -75,7 +74,10 @@ void read_bearings(const StudyFile& file, TableReader& tilt, Study& study) {
   for (const char* key : {"stiffness", "natural_frequency", "static_sag", "damping", "damping_ratio",
                           "logarithmic_decrement", "quality_factor", "loss_factor"})
     if (rotor.has(key)) rotor.fail(key, words::machine::bearings_state_it);
-  read_array(file, "rotor.tilt.bearings", words::machine::array_of_bearings, study.sheet.bearings, study);
+  read_array(file, "rotor.tilt.bearings",
+             "must be an array of tables, one a bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = "
+             "\"300 N s/m\" }, ..]",
+             study.sheet.bearings, study);
 }
 
 void read_tilt(const StudyFile& file, Study& study) {
@@ -88,11 +90,15 @@ void read_tilt(const StudyFile& file, Study& study) {
   }
   tilt.finish();
   if (file.physical)
-    read_array(file, "rotor.tilt.unbalance", words::machine::array_of_unbalances, study.sheet.unbalances, study);
+    read_array(file, "rotor.tilt.unbalance",
+               "must be an array of tables, one a plane, as [{ at = \"0.2 m\", size = \"50 g mm\", angle = \"0 "
+               "degree\" }, ..]",
+               study.sheet.unbalances, study);
 }
 
 void read_places(const StudyFile& file, Study& study) {
-  read_array(file, "place", words::machine::array_of_places, study.sheet.places, study);
+  read_array(file, "place", "must be an array of tables, each begun by [[place]], with mass, radius and angle",
+             study.sheet.places, study);
   for (std::size_t i = 1; i <= study.sheet.places.size(); ++i) {
     TableReader place(file, fmt::format("place.{}", i));
     if (!study.parameters.tilts() && place.has("at")) place.fail("at", words::study::only_of_tilt);
@@ -102,7 +108,7 @@ void read_places(const StudyFile& file, Study& study) {
 
 void read_oil(const StudyFile& file, Study& study) {
   TableReader oil(file, "balancer.oil");
-  oil.require("grade", words::machine::oil_grade);
+  oil.require("grade", "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"");
   read_keys(oil, "balancer.oil", all_variants, study);
   oil.finish();
 }
@@ -111,7 +117,8 @@ void check_material(TableReader& reader, const std::string& name) {
   if (!reader.has("ball_material") || model::find_ball_material(name)) return;
   std::vector<std::string> names;
   for (const model::BallMaterial& known : model::ball_materials) names.emplace_back(known.name);
-  reader.fail_among("ball_material", names, words::machine::unknown_material);
+  reader.fail_among("ball_material", names,
+                    "is not a material in the table (balancer.ball_density states any density); ");
 }
 
 bool is_of_race(std::string_view key) { return key == "balls" || key.starts_with("race"); }
@@ -147,7 +154,7 @@ void read_balancer(const StudyFile& file, Study& study) {
     // Balls of known size roll, unless the study says otherwise.
     if (name == "rolls" && file.physical) p.rolls = study.states("balancer.ball_diameter");
     if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
-      reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
+      reader.fail("ball_radius", "has a meaning only with balancer.rolls = true");
     read_key(reader, key, study);
   }
   if (p.balls == 0) return;
@@ -155,7 +162,9 @@ void read_balancer(const StudyFile& file, Study& study) {
   if (file.physical) check_material(reader, study.sheet.material);
   if (file.physical && reader.has("oil")) read_oil(file, study);
   if (reader.has("plane") != p.tilts())
-    reader.fail("plane", p.tilts() ? words::study::tilt_needs_planes : words::study::only_of_tilt);
+    reader.fail("plane", p.tilts() ? "missing; rotor.tilt needs the place of each ball's race along the shaft, a "
+                                     "number, or an array, one per ball"
+                                   : words::study::only_of_tilt);
 }
 
 namespace {
@@ -174,12 +183,14 @@ bool read_nameplate(const StudyFile& file, Study& study) {
   const KeyTable& keys = key_table("speed.torque");
   if (!reader.has("power") && !reader.has("rated_torque")) {
     for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
-      if (reader.has(key)) reader.fail(key, words::machine::belongs_to_nameplate);
+      if (reader.has(key)) reader.fail(key, "belongs to a nameplate, which needs speed.torque.power or rated_torque");
     return false;
   }
   for (const char* key : {"speeds", "values", "times", "stall", "no_load_speed", "constant", "slope", "gain", "target"})
-    if (reader.has(key)) reader.fail(key, words::machine::nameplate_or_torque);
-  if (!reader.has("breakdown_ratio")) reader.fail("breakdown_ratio", words::machine::breakdown_ratio_missing);
+    if (reader.has(key))
+      reader.fail(key, "give either a nameplate (speed.torque.power) or the torque itself, not both");
+  if (!reader.has("breakdown_ratio"))
+    reader.fail("breakdown_ratio", "missing; must be the breakdown torque over the rated torque, such as 2.5");
   study.speed.torque.kind = model::MotorLaw::Kind::curve;
   for (const Key& key : keys.keys)
     if (key.has(Key::physical)) read_key(reader, key, study, key.name == std::string_view("rated_speed"));
@@ -203,7 +214,7 @@ void read_torque(const StudyFile& file, Study& study) {
     motor.kind = Kind::control;
   read_keys(reader, "speed.torque", variants_of(motor), study);
   if (motor.kind == Kind::control) {
-    if (!reader.has("target")) reader.fail("target", words::machine::target_missing);
+    if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
     read_target(file, study);
   }
   reader.finish();
@@ -219,11 +230,12 @@ void read_load(const StudyFile& file, Study& study) {
 void check_sheet(const StudyFile& file, const RampSetting& ramp) {
   TableReader reader(file, "speed");
   if (reader.has("run_up")) {
-    if (ramp.profile != Profile::ramp) reader.fail("run_up", words::machine::profile_or_run_up);
-    if (reader.has("duration")) reader.fail("run_up", words::machine::run_up_or_duration);
+    if (ramp.profile != Profile::ramp)
+      reader.fail("run_up", "give either speed.profile or speed.run_up, not both: run_up is a ramp to speed.final");
+    if (reader.has("duration")) reader.fail("run_up", "give either speed.run_up or speed.duration, not both");
   }
   for (const char* key : {"gear_ratio", "motor_inertia"})
-    if (reader.has(key) && !reader.has("torque")) reader.fail(key, words::machine::belongs_to_motor);
+    if (reader.has(key) && !reader.has("torque")) reader.fail(key, "belongs to a motor: needs speed.torque");
 }
 
 }  // namespace
@@ -235,12 +247,13 @@ void read_speed(const StudyFile& file, Study& study) {
   for (const Key& key : key_table("speed").of(variant_of(study.speed.profile), file.physical))
     if (key.name != std::string_view("duration") || !study.states("speed.run_up")) read_key(reader, key, study);
   if (study.speed.profile == Profile::hill && study.speed.law != model::SpeedLaw::kinematic)
-    reader.fail("law", words::machine::law_of_hill);
+    reader.fail("law", "must be \"kinematic\": the rotor turns at the speed that a Hill function states");
   if (study.speed.driven()) {
-    if (!reader.has("torque")) reader.fail("torque", words::machine::torque_missing);
+    if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
     read_torque(file, study);
     if (reader.has("load")) read_load(file, study);
-    if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_driven_rotor);
+    if (study.speed.law != model::SpeedLaw::kinematic)
+      reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
   }
   reader.finish();
 }

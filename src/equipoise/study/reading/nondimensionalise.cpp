@@ -16,8 +16,6 @@
 #include "equipoise/machine/drives/nameplate.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -93,8 +91,8 @@ void divide(Study& study, const Refuse& refuse) {
       if (value == 0.0 || range.contains(value)) return;  // 0: not stated
       const std::string dotted = table + "." + key.name;
       if (dotted == "numerics.horizon")
-        refuse(dotted, fmt::format(words::study::horizon, range.low * scales.time(), range.high * scales.time(),
-                                   range.low, range.high));
+        refuse(dotted, fmt::format("must be a time from {:.6g} s to {:.6g} s ({} to {} times 1/omega_c)",
+                                   range.low * scales.time(), range.high * scales.time(), range.low, range.high));
       refuse(dotted, (place > 0 ? fmt::format("entry {} must be ", place) : "must be ") + range.text());
     };
     std::visit(Numbered<decltype(change)>{change}, key.member(study, entry_of(table)));
@@ -108,7 +106,7 @@ double synchronous_speed(const Study& machine, const Refuse& refuse) {
   const double rated = machine.sheet.rated_speed;
   if (machine.states(of_motor + "synchronous_speed")) {
     const double stated = machine.sheet.synchronous_speed;
-    if (!(stated > rated)) refuse(of_motor + "synchronous_speed", words::machine::synchronous_above_rated);
+    if (!(stated > rated)) refuse(of_motor + "synchronous_speed", "must be greater than speed.torque.rated_speed");
     return stated;
   }
   const std::vector<double> fitting = model::synchronous_speeds(rated);
@@ -116,8 +114,10 @@ double synchronous_speed(const Study& machine, const Refuse& refuse) {
     std::vector<std::string> texts;
     for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
     refuse(of_motor + "rated_speed",
-           texts.empty() ? words::machine::no_synchronous_speed_fits
-                         : fmt::format(words::machine::several_synchronous_speeds, fmt::join(texts, ", ")));
+           texts.empty()
+               ? "is not within 10 % below a synchronous speed at 50 or 60 Hz; give speed.torque.synchronous_speed too"
+               : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
+                             fmt::join(texts, ", ")));
   }
   return fitting.front();
 }
@@ -134,14 +134,19 @@ void put_nameplate(const Study& machine, Study& study, const Refuse& refuse) {
   // Catalogues round: a tenth apart is another motor.
   if (power && stated && std::fabs(d.rated_torque * motor.rated_speed / d.power - 1.0) > 0.1)
     refuse(of_motor + "rated_torque",
-           fmt::format(words::machine::torque_contradicts_power, d.power / motor.rated_speed));
+           fmt::format("contradicts speed.torque.power, which is {:.4g} N m at the rated speed",
+                       d.power / motor.rated_speed));
   motor.breakdown_ratio = d.breakdown_ratio;
   const std::string locked = of_motor + "locked_rotor_ratio";
   if (machine.states(locked)) {
     motor.locked_rotor_ratio = d.locked_rotor_ratio;
     if (!at_most(d.locked_rotor_ratio, motor.breakdown_ratio))
-      refuse(locked, fmt::format(words::machine::above_breakdown, motor.breakdown_ratio));
-    if (model::breakdown_slip(motor) >= 1.0) refuse(locked, words::machine::no_such_locked_rotor_ratio);
+      refuse(locked,
+             fmt::format("contradicts speed.torque.breakdown_ratio; must be at most {}", motor.breakdown_ratio));
+    if (model::breakdown_slip(motor) >= 1.0)
+      refuse(
+          locked,
+          "is not possible: at this rated speed and breakdown ratio the torque falls from standstill on; leave it out");
   }
   const model::CurvePoints curve = model::nameplate_curve(motor);
   study.speed.torque.speeds = curve.speeds;

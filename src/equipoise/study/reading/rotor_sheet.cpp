@@ -13,7 +13,6 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/ways.hpp"
-#include "equipoise/study/words/machine.hpp"
 
 namespace equipoise::study {
 
@@ -149,7 +148,8 @@ class Rotor {
       places.add(std::polar(place.mass * place.radius, place.angle), place.at);
       mass += place.mass;
     }
-    if (!(mass < d_.mass)) refuse_("rotor.mass", fmt::format(words::machine::mass_includes_places, mass));
+    if (!(mass < d_.mass))
+      refuse_("rotor.mass", fmt::format("must be greater than that of all places, {:.6g} kg: it includes them", mass));
     const double own_force = product ? own : own * d_.mass;
     if (!in_si_.tilts()) {
       const Complex resultant = own_force + places.force;
@@ -180,7 +180,10 @@ class Rotor {
     // The model has the couple as an angle times this difference.
     p_.tilt.misalignment = couple > 0.0 ? couple / slender : 0.0;
     if (!(std::abs(p_.tilt.misalignment) <= largest_misalignment))
-      refuse_("rotor.tilt.polar_inertia", fmt::format(words::machine::couple_needs_slender_rotor, couple));
+      refuse_("rotor.tilt.polar_inertia",
+              fmt::format("is so near to transverse_inertia that the couple unbalance of {:.4g} kg m2 would turn the "
+                          "principal axis by more than 0.5 rad; must differ more",
+                          couple));
   }
 
   // With that of the motor, which turns with the rotor.
@@ -213,7 +216,9 @@ double put_stiffness(const Study& machine, Study& study, const Refuse& refuse) {
   if (!d.bearings.empty()) {
     const Supports springs = sum_of(d.bearings, &model::Bearing::stiffness);
     for (const SupportSums& s : springs)
-      if (!s.holds()) refuse("rotor.tilt.bearings", words::machine::bearings_hold_no_tilt);
+      if (!s.holds())
+        refuse("rotor.tilt.bearings",
+               "must have a stiffness greater than 0 at two places at least, in x and in y: one place holds no tilt");
     k = {springs[0].centre, springs[1].centre};
   } else {
     const std::string_view from = way_of(machine, "rotor.stiffness", refuse);
@@ -224,7 +229,8 @@ double put_stiffness(const Study& machine, Study& study, const Refuse& refuse) {
       if (from == "static_sag") v = model::stiffness_of_sag(d.mass, g, v);
       if (!(v >= smallest_si && v <= largest_si))
         refuse(fmt::format("rotor.{}", from),
-               fmt::format(words::machine::stiffness_out_of_range, v, smallest_si, largest_si));
+               fmt::format("makes a stiffness of {:.3g} N/m; must make one from {} to {} N/m", v, smallest_si,
+                           largest_si));
     }
   }
   const double mean = k[0] + 0.5 * (k[1] - k[0]);  // exact for equal stiffnesses

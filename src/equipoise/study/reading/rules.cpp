@@ -11,12 +11,14 @@
 #include "equipoise/core/base/typed_numbers.hpp"
 #include "equipoise/machine/drives/never_reached.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
 namespace {
+
+constexpr char not_the_supports[] =
+    "must add up, with its moments about the centre of mass, to rotor.{0} and rotor.tilt.{0}";
 
 // Stiffness or damping of a rotor that tilts, in one direction: [k11, k12; k12, k22].
 struct SupportMatrix {
@@ -33,9 +35,14 @@ void check_supports(const model::Parameters& p, const Refuse& refuse) {
     const SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
         dampers{p.damping[d], t.damping[d][0], t.damping[d][1]};
     if (!(springs.tilt > 0.0) || !(springs.determinant() > springs.rounding()))
-      refuse("rotor.tilt.stiffness", fmt::format(words::study::stiffness_not_definite, springs.centre));
+      refuse("rotor.tilt.stiffness",
+             fmt::format(
+                 "must be [k12, k22] with k22 greater than 0 and k12^2 less than {0} k22, where {0} is rotor.stiffness",
+                 springs.centre));
     if (dampers.tilt < 0.0 || dampers.determinant() < -dampers.rounding())
-      refuse("rotor.tilt.damping", fmt::format(words::study::damping_not_definite, dampers.centre));
+      refuse("rotor.tilt.damping",
+             fmt::format("must be [c12, c22] with c22 at least 0 and c12^2 at most {0} c22, where {0} is rotor.damping",
+                         dampers.centre));
   }
 }
 
@@ -47,16 +54,17 @@ void check_bearings(const Study& study, const Refuse& refuse) {
   for (const std::size_t k : {0, 1}) {
     if (lists[k]->empty() && lists[1 - k]->empty()) continue;
     if (count > model::most_bearings)
-      refuse("rotor.tilt.bearings_at", fmt::format(words::study::most_bearings, model::most_bearings));
+      refuse("rotor.tilt.bearings_at",
+             fmt::format("must have at most {} places where each bearing's stiffness is stated", model::most_bearings));
     if (lists[k]->size() != count && lists[k]->size() != 2 * count)
-      refuse(keys[k], fmt::format(words::study::one_or_two_a_bearing, count, 2 * count));
+      refuse(keys[k], fmt::format("must be an array of {} numbers, one a bearing of rotor.tilt.bearings_at, or of {}, "
+                                  "of each in X and Y in turn",
+                                  count, 2 * count));
   }
   if (study.bearings_stiffness.empty()) return;
   const std::vector<model::Bearing> each = study.each_bearing();
-  if (!model::make_stiffness(each, study.parameters))
-    refuse(keys[0], fmt::format(words::study::not_the_supports, "stiffness"));
-  if (!model::make_damping(each, study.parameters))
-    refuse(keys[1], fmt::format(words::study::not_the_supports, "damping"));
+  if (!model::make_stiffness(each, study.parameters)) refuse(keys[0], fmt::format(not_the_supports, "stiffness"));
+  if (!model::make_damping(each, study.parameters)) refuse(keys[1], fmt::format(not_the_supports, "damping"));
 }
 
 // Of balls and race a rotor that tilts takes the planes, and no more than the drag of balls that slide.
@@ -64,8 +72,12 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
   const model::Parameters& p = study.parameters;
   const auto none = [&](const char* key, bool set, const char* physical_key = nullptr) {
     if (set && physical_key && study.scales)
-      refuse(fmt::format("balancer.{}", physical_key), fmt::format(words::study::not_with_tilt_unless, physical_key));
-    if (set) refuse(fmt::format("balancer.{}", key), words::study::not_with_tilt);
+      refuse(fmt::format("balancer.{}", physical_key),
+             fmt::format("no rotor with rotor.tilt has balls that roll or touch: state balancer.{} = false",
+                         physical_key));
+    if (set)
+      refuse(fmt::format("balancer.{}", key),
+             "no rotor with rotor.tilt has this: its balls slide in a centred race and pass each other");
   };
   none("race_offset", !p.race_is_centred());
   none("rolls", p.rolls, "rolls");
@@ -81,11 +93,12 @@ void check_points(const std::string& table, bool times, const std::vector<double
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i] > points[i - 1]))
       refuse(fmt::format("{}.{}", table, key),
-             fmt::format(words::machine::out_of_order, key, i + 1,
+             fmt::format("{} out of order: entry {} must be greater than {}", key, i + 1,
                          times ? time_text(points[i - 1], scales) : speed_text(points[i - 1], scales)));
   if (points.size() != values.size())
     refuse(fmt::format("{}.{}", table, values_key),
-           fmt::format(words::machine::one_entry_each, values.size(), times ? "time" : "speed", points.size()));
+           fmt::format("has {} entries; must have one per {}, {}", values.size(), times ? "time" : "speed",
+                       points.size()));
 }
 
 // Of [speed], or of a motor's target.
@@ -94,19 +107,19 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const std::op
   const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
     if (!(time > earlier))
       refuse(fmt::format("{}.{}", table, key),
-             fmt::format(words::machine::must_be_greater_than, before, time_text(earlier, scales)));
+             fmt::format("must be greater than {}, {}", before, time_text(earlier, scales)));
   };
   if (ramp.profile == Profile::trapezoid) {
     check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
     check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
   }
   if (ramp.profile == Profile::points) {
-    if (!ramp.times.empty() && ramp.times.front() != 0.0) refuse(table + ".times", words::machine::first_time);
+    if (!ramp.times.empty() && ramp.times.front() != 0.0) refuse(table + ".times", "the first time must be 0");
     check_points(table, true, ramp.times, "speeds", ramp.speeds, scales, refuse);
   }
   if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
     refuse(fmt::format("{}.until", table),
-           fmt::format(words::machine::must_be_at_least, "half_time", time_text(ramp.half_time, scales)));
+           fmt::format("must be at least {}, {}", "half_time", time_text(ramp.half_time, scales)));
 }
 
 void check_torque(const TorqueSetting& motor, const std::optional<model::Scales>& scales, const Refuse& refuse) {
@@ -118,14 +131,14 @@ void check_torque(const TorqueSetting& motor, const std::optional<model::Scales>
   check_points(table, false, motor.speeds, "values", motor.values, scales, refuse);
   const std::size_t points = motor.speeds.size();
   if (points < 2 || points > model::most_curve_points)
-    refuse(table + ".speeds", fmt::format(words::machine::points_of_curve, points, model::most_curve_points));
+    refuse(table + ".speeds", fmt::format("has {} entries; must have 2 to {}", points, model::most_curve_points));
 }
 
 void check_tilt(const Study& study, const Refuse& refuse) {
   const model::Parameters& p = study.parameters;
   if (!p.tilts()) return;
   if (!at_most(p.tilt.polar_inertia, 2.0 * p.tilt.transverse_inertia))
-    refuse("rotor.tilt.polar_inertia", words::study::no_such_body);
+    refuse("rotor.tilt.polar_inertia", "must be at most twice rotor.tilt.transverse_inertia: no body has more");
   check_supports(p, refuse);
   check_bearings(study, refuse);
 }
@@ -134,7 +147,8 @@ void check_balls(const Study& study, const Refuse& refuse) {
   const model::Parameters& p = study.parameters;
   for (int i = 0; i < p.balls; ++i)
     if (p.stiction[i] < p.rolling[i])
-      refuse("balancer.stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
+      refuse("balancer.stiction",
+             fmt::format("must be at least rolling, {}: a ball at rest resists no less", p.rolling[i]));
   if (p.tilts()) check_tilting_balls(study, refuse);
 }
 
@@ -144,15 +158,17 @@ void check_speed(const Study& study, const Refuse& refuse) {
   if (!speed.driven()) return;
   check_torque(speed.torque, study.scales, refuse);
   if ((speed.load.linear != 0.0 || speed.load.quadratic != 0.0) && !speed.load.at)
-    refuse("speed.load.at", words::machine::speed_of_load_missing);
+    refuse("speed.load.at", "missing; must be the speed at which the load takes linear and quadratic");
   if (!(study.parameters.inertia > 0.0))
-    refuse("rotor.inertia",
-           study.scales ? words::machine::inertia_of_driven_rotor_in_units : words::machine::inertia_of_driven_rotor);
+    refuse("rotor.inertia", study.scales
+                                ? "must be a moment of inertia greater than 0, such as \"0.02 kg m2\", for a driven "
+                                  "rotor (profile \"torque\"), or give rotor.radius_of_gyration or rotor.gd2"
+                                : "must be a finite number greater than 0 for a driven rotor (profile \"torque\")");
 }
 
 void check_release(const Study& study, const Refuse& refuse) {
   const ReleaseSetting& release = study.release;
-  if (release.speed && release.time) refuse("release.time", words::study::speed_or_time_of_release);
+  if (release.speed && release.time) refuse("release.time", "give either release.speed or release.time, not both");
   if (!release.speed || study.speed.driven()) return;
   const model::SpeedProfile profile = study.speed_profile();
   if (!profile.first_time_at(*release.speed))
@@ -167,11 +183,13 @@ void check_held_balls(const Study& study, const Refuse& refuse) {
   if (!moves && study.sampling.box.empty()) return;
   const double release = study.release_time();
   if (!(release > 0.0)) return;
-  if (moves) refuse("initial.phi_dot", words::study::clamped_balls_have_no_rate);
+  if (moves) refuse("initial.phi_dot", "must be 0: the balls are clamped until their release");
   for (const auto& [key, side] : box_sides)
     if (study.sampling.box.*side)
       refuse(fmt::format("sampling.box.{}", key),
-             fmt::format(words::study::box_needs_free_balls, time_text(release, study.scales)));
+             fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls share "
+                         "one spin-up); set release.time = 0 or leave [sampling.box] out",
+                         time_text(release, study.scales)));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_file.hpp"
 #include "equipoise/study/contents/study.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise {
 
@@ -25,11 +24,12 @@ bool is_netcdf(const std::string& bytes) {
 
 std::string read_study_text(const std::string& path) {
   const auto reject = [&](const std::string& why) {
-    throw InputError(display_text(path), "", "", fmt::format(words::study::file_unreadable, why));
+    throw InputError(display_text(path), "", "",
+                     fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
   };
   const auto [text, problem] = read_file(path, longest_study);
   if (!problem.empty()) reject(problem);
-  if (is_netcdf(text)) reject(words::study::results_file);
+  if (is_netcdf(text)) reject("NetCDF, a file of results: \"equipoise inspect\" reads it");
   return text;
 }
 

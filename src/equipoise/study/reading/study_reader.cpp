@@ -29,8 +29,7 @@
 #include "equipoise/study/reading/ways.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise {
 
@@ -70,7 +69,7 @@ void read_sampling(const StudyFile& file, Study& study) {
     read_key(reader, key, study);
     if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
         study.sampling.starts < 2)
-      reader.fail("starts", words::study::grid_of_one);
+      reader.fail("starts", "must be 2 or more: a grid has two starts in every cell");
   }
   reader.finish();
 }
@@ -89,7 +88,8 @@ void check_standards(const Study& study, const Refuse& refuse) {
   };
   if (s.any() && !study.scales)
     for (const Key& key : key_table("standards").keys)
-      needs(key.name, !study.states(std::string("standards.") + key.name), words::study::standards_need_units);
+      needs(key.name, !study.states(std::string("standards.") + key.name),
+            "a study in physical units, or with [units]");
   if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
   if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
 }
@@ -111,7 +111,7 @@ void put_at_rest(Study& study, const Refuse& refuse) {
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
   if (!any_number.contains(rest[0]) || !any_number.contains(rest[1]))
-    refuse("rotor.gravity", fmt::format(words::machine::pulled_too_far, unbounded));
+    refuse("rotor.gravity", fmt::format("pulls the rotor farther than {} race radii; must be less", unbounded));
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
   const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes
@@ -176,12 +176,14 @@ std::string physical_key(const StudyFile& file) {
 // Without a mass nothing has a scale. The message names the key that makes the study physical: it may be a mistake.
 void check_scales(const StudyFile& file) {
   if (const StudyValue* units = file.root.find("units"))
-    throw InputError(file.where("units", units), "units", "", words::study::units_of_dimensionless_study);
+    throw InputError(file.where("units", units), "units", "",
+                     "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius "
+                     "and rotor.stiffness");
   const std::string key = physical_key(file);
   if (key != "rotor.mass")
-    throw InputError(
-        file.where("rotor.mass", nullptr), "rotor.mass", "",
-        fmt::format(words::study::mass_makes_it_physical, Wanted(positive, {Dimension::mass}).text(), key));
+    throw InputError(file.where("rotor.mass", nullptr), "rotor.mass", "",
+                     fmt::format("missing; must be {}, for {} makes this a study in physical units",
+                                 Wanted(positive, {Dimension::mass}).text(), key));
 }
 
 // States speed.profile if a machine leaves it out and its keys say which.
@@ -213,10 +215,12 @@ void read_grade(StudyFile& file) {
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;
   TableReader reader(file, "limits");
-  if (!file.physical) reader.fail("residual", words::study::grade_needs_units);
-  if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
+  if (!file.physical)
+    reader.fail("residual", "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`");
+  if (reader.has("grade")) reader.fail("residual", "is a grade too; give either limits.grade or this, not both");
   const auto grade = grade_named(*text);
-  if (!grade || !positive.contains(*grade)) reader.fail("residual", words::study::grade_of_residual);
+  if (!grade || !positive.contains(*grade))
+    reader.fail("residual", "must be \"G\" and a number of mm/s greater than 0, such as \"G 6.3\", or an unbalance");
   StudyValue& limits = *file.root.find("limits");
   limits.set("grade", fmt::format("{} mm/s", *grade));
   limits.erase("residual");
@@ -230,14 +234,23 @@ void check_limits(const Study& study, const Refuse& refuse_key) {
     for (const char* key : keys)
       if (study.states(key)) refuse_key(key, why);
   };
-  if (!study.limits.settled) refuse({"limits.settling_time"}, words::study::needs_settled);
-  if (!study.scales) refuse({"limits.hand_arm"}, words::study::weighted_by_hertz);
+  if (!study.limits.settled)
+    refuse({"limits.settling_time"}, "needs limits.settled, the displacement below which the rotor has settled");
+  if (!study.scales)
+    refuse({"limits.hand_arm"},
+           "is weighted by the frequency in Hz, which needs a study in physical units, or with [units]");
   if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
-    refuse({"limits.force", "limits.dynamic_force"}, words::study::force_of_more_bearings);
+    refuse({"limits.force", "limits.dynamic_force"},
+           "is of the bearing that takes most, and of more than two bearings each has to be known: state "
+           "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings");
   if (study.bearings.size() >= 2 && study.standards.standing_mass)
-    refuse({"limits.force", "limits.dynamic_force"}, words::study::force_of_one_or_all);
+    refuse({"limits.force", "limits.dynamic_force"},
+           "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is "
+           "known; state one of the two");
   if (study.parameters.tilts() && !model::tolerance_planes(study.bearings))
-    refuse({"limits.residual", "limits.grade"}, words::study::unbalance_without_planes);
+    refuse({"limits.residual", "limits.grade"},
+           "is judged in the planes of two bearings, which rotor.tilt does not state: without them it would leave out "
+           "the couple unbalance; state rotor.tilt.bearings_at, or in physical units rotor.tilt.bearings");
 }
 
 enum class Source { asked, kept };  // kept: a study stored in a result
@@ -361,7 +374,9 @@ void check(const Study& study) {
   const std::string name = study.name.empty() ? "study" : study.name;
   const Study again = read(study_file_of(to_tree(study), name, {}));
   if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
-    throw InputError(name, "", "", words::study::draws_of_changed_study);
+    throw InputError(name, "", "",
+                     "was changed after it was read, which its draws in physical units would not show; must be changed "
+                     "by overrides, or after with_medians()");
 }
 
 }  // namespace equipoise

@@ -21,7 +21,7 @@
 #include "equipoise/study/toml/text_guard.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/units.hpp"
-#include "equipoise/study/words/study.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -90,7 +90,7 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
     throw InputError(overrides_name, printable(key), printable(value), fault.problem);
   }
-  throw InputError(overrides_name, printable(key), printable(value), words::study::one_toml_value);
+  throw InputError(overrides_name, printable(key), printable(value), "must be a single TOML value");
 }
 
 // speed.final names the final speed whatever the profile.
@@ -110,9 +110,11 @@ void apply_override(StudyFile& file, const std::string& text) {
   const bool has_empty_part =
       key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (has_empty_part || value.empty())
-    throw InputError(std::string(overrides_name) + " " + printable(text), "", "", words::study::key_equals_value);
+    throw InputError(std::string(overrides_name) + " " + printable(text), "", "",
+                     "must be key=value, for example rotor.eccentricity=0.02");
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
-    throw InputError(overrides_name, printable(key), printable(value), words::study::more_parts_than_any_key);
+    throw InputError(overrides_name, printable(key), printable(value),
+                     "unknown key: more parts than any key of a study has");
 
   StudyValue parsed = parse_value(key, value);
   StudyValue* table = &file.root;
@@ -122,7 +124,7 @@ void apply_override(StudyFile& file, const std::string& text) {
     StudyValue* entry = table->find(part);
     if (!entry)
       throw InputError(overrides_name, printable(key), printable(value),
-                       fmt::format(words::study::entries_of_array, name, name, name, table->array()->size()));
+                       fmt::format("{} has entries {}.1 to {}.{}", name, name, name, table->array()->size()));
     return entry;
   };
   for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
@@ -185,7 +187,8 @@ StudyFile study_file_of(StudyValue tree, const std::string& name, const std::vec
   StudyFile file;
   file.name = name;
   file.root = std::move(tree);
-  if (!file.root.table()) throw InputError(name, "", shown(file.root), words::study::table_of_tables);
+  if (!file.root.table())
+    throw InputError(name, "", shown(file.root), "must be a table of tables, [rotor] and the others of a study");
   for (const std::string& item : overrides) apply_override(file, item);
   return file;
 }
@@ -226,9 +229,9 @@ const StudyValue& TableReader::require(const std::string& key, const std::string
   std::string hint;
   if (table_)
     for (const auto& [other, value] : *table_->table())
-      if (nearly_same(key, other)) hint = fmt::format(words::study::meant_for_it, printable(other));
+      if (nearly_same(key, other)) hint = fmt::format(" (is \"{}\" meant for it?)", printable(other));
   throw InputError(file_.where(dotted(key), nullptr), dotted(key), "",
-                   fmt::format(words::study::missing, hint, wanted));
+                   fmt::format("missing{}; must be {}", hint, wanted));
 }
 
 std::string time_text(double time, const std::optional<model::Scales>& scales) {
@@ -255,7 +258,7 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
   const Range& range = wanted.range;
   if (wanted.is_quantity()) {
-    if (value.array() && !entry) fail(key, words::study::one_quantity);
+    if (value.array() && !entry) fail(key, "is an array; must be one quantity");
     // A plain number may be meant for a key that states the same in another way.
     const std::string more = value.is_number() && !entry ? or_give(dotted(key)) : "";
     const Measured quantity =
@@ -270,14 +273,14 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   const std::optional<double> percent = value.string() ? percentage(*value.string()) : std::nullopt;
   if (!value.is_number() && !percent)
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
-                       looks_physical(value) && !states_units() ? words::study::mass_states_physical
+                       looks_physical(value) && !states_units() ? " (a study in physical units states rotor.mass)"
                        : value.table() && takes_distributions(prefix_)
-                           ? fmt::format(words::study::or_a_distribution, words::study::distribution_forms)
+                           ? fmt::format(", or a distribution, {}", words::study::distribution_forms)
                            : ""));
   const double number = percent.value_or(value.number());
   if (!range.contains(number)) {
     const bool too_large = std::isfinite(number) && std::abs(number) > unbounded;
-    reject("must be " + range.text() + (too_large ? fmt::format(words::study::at_most_in_size, unbounded) : ""));
+    reject("must be " + range.text() + (too_large ? fmt::format(", at most {} in size", unbounded) : ""));
   }
   return number;
 }
@@ -293,10 +296,10 @@ std::optional<double> TableReader::optional_number(const std::string& key, const
 }
 
 std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high) {
-  const std::string wanted = fmt::format(words::study::whole_number, low, high);
+  const std::string wanted = fmt::format("a whole number from {} to {}", low, high);
   const StudyValue& value = require(key, wanted);
-  if (value.real()) fail(key, fmt::format(words::study::no_point_or_exponent, wanted));
-  if (!value.integer()) fail(key, fmt::format(words::study::kind_of_value, kind(value), wanted));
+  if (value.real()) fail(key, fmt::format("must be {}, without point or exponent", wanted));
+  if (!value.integer()) fail(key, fmt::format("is {}; must be {}", kind(value), wanted));
   const std::int64_t number = *value.integer();
   if (number < low || number > high) fail(key, "must be " + wanted);
   return number;
@@ -324,23 +327,22 @@ void TableReader::fail_among(const std::string& key, const std::vector<std::stri
 std::optional<std::string> TableReader::text(const std::string& key) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
-  if (!value->string()) fail(key, fmt::format(words::study::must_be_text, kind(*value)));
+  if (!value->string()) fail(key, fmt::format("is {}; must be a text in quotes", kind(*value)));
   return *value->string();
 }
 
 bool TableReader::flag(const std::string& key, bool fallback) {
   const StudyValue* value = find(key);
   if (!value) return fallback;
-  if (!value->boolean()) fail(key, fmt::format(words::study::must_be_flag, kind(*value)));
+  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
   return *value->boolean();
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, const Wanted& wanted) {
   const StudyValue::Array* array =
-      require(key, wanted.is_quantity() ? fmt::format(words::study::array_of, wanted.text())
-                                        : words::study::array_of_numbers)
+      require(key, wanted.is_quantity() ? fmt::format("an array, each entry {}", wanted.text()) : "an array of numbers")
           .array();
-  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, wanted.text()));
+  if (!array || array->empty()) fail(key, fmt::format("must be an array, each entry {}", wanted.text()));
   std::vector<double> result;
   Wanted each = wanted;  // all measure the same
   for (const StudyValue& entry : *array) {
@@ -354,9 +356,9 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   std::vector<std::string> result;
   const StudyValue* value = find(key);
   if (!value) return result;
-  if (!value->array()) fail(key, fmt::format(words::study::must_be_texts, kind(*value)));
+  if (!value->array()) fail(key, fmt::format("is {}; must be an array of strings", kind(*value)));
   for (const StudyValue& entry : *value->array()) {
-    if (!entry.string()) fail(key, fmt::format(words::study::entry_must_be_text, kind(entry)));
+    if (!entry.string()) fail(key, fmt::format("has an entry that is {}; must be an array of strings", kind(entry)));
     result.push_back(*entry.string());
   }
   return result;
@@ -364,12 +366,14 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
 
 std::vector<double> TableReader::one_or_each(const std::string& key, const Wanted& wanted, int count,
                                              const std::string& each) {
-  const StudyValue& value = require(
-      key, wanted.is_quantity() ? wanted.text() : fmt::format(words::study::one_or_each, wanted.text(), count, each));
+  const StudyValue& value =
+      require(key, wanted.is_quantity() ? wanted.text()
+                                        : fmt::format("{}, or an array of {}, one per {}", wanted.text(), count, each));
   if (!value.array()) return std::vector<double>(count, as_number(key, value, wanted));
   std::vector<double> result = numbers(key, wanted);
   if (static_cast<int>(result.size()) != count)
-    fail(key, fmt::format(words::study::entries_for_each, result.size(), wanted.text(), count, each));
+    fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one per {}", result.size(), wanted.text(),
+                          count, each));
   return result;
 }
 

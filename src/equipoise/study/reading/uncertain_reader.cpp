@@ -15,7 +15,7 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/units/units.hpp"
-#include "equipoise/study/words/study.hpp"
+#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -52,18 +52,17 @@ class DistributionReader {
     for (std::size_t k = 0; k < distribution_names.size(); ++k) {
       if (!table_.find(distribution_names[k])) continue;
       if (std::exchange(found, true))
-        fail(fmt::format(words::study::two_distributions, words::study::distribution_forms));
+        fail(fmt::format("has two distributions; must be one of {}", words::study::distribution_forms));
       value_.kind = static_cast<DistributionKind>(k);
     }
     for (const auto& [name, entry] : *table_.table())
       if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
-        fail(fmt::format(words::study::unknown_entry_of_distribution, printable(name),
-                         words::study::distribution_forms));
+        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), words::study::distribution_forms));
   }
 
   std::vector<double> entries(const std::string& name) {
     const StudyValue::Array* array = table_.find(name)->array();
-    if (!array || array->empty()) fail(fmt::format(words::study::distribution_of_numbers, name));
+    if (!array || array->empty()) fail(fmt::format("{} must be an array of numbers", name));
     std::vector<double> numbers;
     for (const StudyValue& entry : *array) numbers.push_back(number(name, entry, numbers.size() + 1));
     return numbers;
@@ -75,18 +74,21 @@ class DistributionReader {
     std::string unit;
     if (const std::string* text = entry.string()) {
       const NumberAndUnit parts = split_quantity(*text);
-      if (parts.error != std::errc()) fail(fmt::format(words::study::entry_without_number, name, place));
+      if (parts.error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
       result = parts.number;
       unit = parts.unit;
-      if (unit.empty()) fail(fmt::format(words::study::entry_without_unit, name, place));
+      if (unit.empty())
+        fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
     } else if (!entry.is_number()) {
-      fail(fmt::format(words::study::entry_no_number, name, place));
+      fail(fmt::format("{} entry {} is not a number; must be a finite number, or a quantity with its unit", name,
+                       place));
     }
     if (!any_number.contains(result)) fail(fmt::format("{} entry {} must be {}", name, place, any_number.text()));
     if (!std::exchange(has_unit_, true))
       value_.unit = unit;
     else if (value_.unit != unit)
-      fail(fmt::format(words::study::entry_of_other_unit, name, place));
+      fail(fmt::format("{} entry {} has another unit than the entries before; all must have the same unit", name,
+                       place));
     return result;
   }
 
@@ -96,21 +98,23 @@ class DistributionReader {
     if (value_.kind == DistributionKind::values) return;
     const bool normal = value_.kind == DistributionKind::normal;
     if (n.size() != 2)
-      fail(fmt::format(words::study::two_entries, name, n.size(),
+      fail(fmt::format("{} has {} entries; must have two, {}", name, n.size(),
                        normal ? "[mean, standard deviation]" : "[low, high]"));
-    if (normal && n[1] < 0.0) fail(words::study::negative_deviation);
-    if (!normal && n[0] > n[1]) fail(fmt::format(words::study::distribution_out_of_order, name));
-    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail(words::study::loguniform_above_0);
+    if (normal && n[1] < 0.0) fail("the standard deviation must be 0 or more");
+    if (!normal && n[0] > n[1])
+      fail(fmt::format("{} bounds out of order; must be [low, high] with low at most high", name));
+    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail("loguniform bounds must be greater than 0");
   }
 
   void read_between() {
     if (!table_.find("between")) return;
-    if (value_.kind != DistributionKind::normal) fail(words::study::between_of_normal);
+    if (value_.kind != DistributionKind::normal) fail("between can be used only with normal");
     const std::vector<double> bounds = entries("between");
-    if (bounds.size() != 2 || !(bounds[0] < bounds[1])) fail(words::study::between_two_numbers);
+    if (bounds.size() != 2 || !(bounds[0] < bounds[1]))
+      fail("between must be two numbers, [low, high] with low less than high");
     const double mean = value_.numbers[0], reach = farthest * value_.numbers[1];
     if (!(bounds[1] > mean - reach) || !(bounds[0] < mean + reach))
-      fail(fmt::format(words::study::between_far_from_mean, farthest));
+      fail(fmt::format("between must begin or end within {} standard deviations of the mean", farthest));
     value_.between = {bounds[0], bounds[1]};
   }
 

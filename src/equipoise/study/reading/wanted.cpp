@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/words/study.hpp"
-
 namespace equipoise::study {
 
 bool Range::contains(double v) const {
@@ -40,15 +38,15 @@ Measured measure_value(const StudyValue& value, const Wanted& wanted,
     return {angle, Dimension::angle, ""};
   }
   if (!value.string())
-    reject(fmt::format(words::study::quantity_needed, value.is_number() ? "a plain number" : "no quantity",
-                       wanted.text()));
+    reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
+                       value.is_number() ? "a plain number" : "no quantity", wanted.text()));
   const Measured result = measure(*value.string(), wanted.dimensions);
   if (!result.problem.empty()) reject(result.problem);
   const auto must_be = [&] { return Wanted(wanted.range, {result.dimension}).text(); };
   if (!wanted.range.contains(result.value)) reject("must be " + must_be());
   const double size = std::abs(result.value);
   if (size > largest_si || (size < smallest_si && (size > 0.0 || wanted.range.low_open)))
-    reject(fmt::format(words::study::size_in_si, must_be(), smallest_si, largest_si));
+    reject(fmt::format("must be {}; its size in SI units must be {} to {}", must_be(), smallest_si, largest_si));
   return result;
 }
 

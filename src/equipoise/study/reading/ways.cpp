@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/words/machine.hpp"
-#include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -20,28 +18,29 @@ struct Way {
 // Each group states one thing.
 const std::vector<std::vector<Way>>& groups() {
   static const std::vector<std::vector<Way>> all{
-      {{"rotor.stiffness", words::machine::stiffness},
-       {"rotor.natural_frequency", words::machine::natural_frequency},
-       {"rotor.static_sag", words::machine::static_sag}},
-      {{"rotor.damping", words::machine::damping},
+      {{"rotor.stiffness", "a stiffness greater than 0, such as \"48 kN/m\""},
+       {"rotor.natural_frequency", "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\""},
+       {"rotor.static_sag", "under its own weight, such as \"3 mm\""}},
+      {{"rotor.damping", "a damping coefficient of 0 or more, such as \"200 N s/m\""},
        {"rotor.damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
-       {"rotor.logarithmic_decrement", words::machine::logarithmic_decrement},
-       {"rotor.quality_factor", words::machine::quality_factor},
-       {"rotor.loss_factor", words::machine::loss_factor}},
-      {{"rotor.eccentricity", words::machine::eccentricity},
-       {"rotor.unbalance", words::machine::unbalance},
-       {"rotor.balance_grade", words::machine::balance_grade}},
-      {{"rotor.inertia", words::machine::inertia},
+       {"rotor.logarithmic_decrement", "a plain number, per cycle of free vibration, such as 0.3"},
+       {"rotor.quality_factor", "a plain number, sqrt(k M)/c, such as 8"},
+       {"rotor.loss_factor", "a plain number, c/sqrt(k M), such as 0.1"}},
+      {{"rotor.eccentricity", "a length of 0 or more, such as \"0.2 mm\""},
+       {"rotor.unbalance", "mass times eccentricity, such as \"300 g mm\""},
+       {"rotor.balance_grade", "a table such as { grade = \"G 6.3\", at = \"3000 rpm\" }"}},
+      {{"rotor.inertia", "a moment of inertia greater than 0, such as \"0.02 kg m2\""},
        {"rotor.radius_of_gyration", "sqrt(J/M), such as \"60 mm\""},
        {"rotor.gd2", "4 J, such as \"0.3 kgf m2\""}},
-      {{"balancer.race_radius", words::machine::race_radius},
-       {"balancer.race_diameter", words::machine::race_diameter}},
-      {{"balancer.mass", words::machine::mass},
+      {{"balancer.race_radius", "a length greater than 0, such as \"60 mm\""},
+       {"balancer.race_diameter", "such as \"120 mm\""}},
+      {{"balancer.mass", "a mass greater than 0, such as \"5 g\""},
        {"balancer.ball_density", "with balancer.ball_diameter"},
-       {"balancer.ball_material", words::machine::ball_material}},
-      {{"balancer.drag", words::machine::drag},
+       {"balancer.ball_material", "such as \"steel\", with balancer.ball_diameter"}},
+      {{"balancer.drag",
+        "a torque for a rate, such as \"1e-6 N m s\", or a force for a velocity, such as \"0.01 N s/m\""},
        {"balancer.oil_viscosity", "with balancer.ball_diameter"},
-       {"balancer.oil", words::machine::oil}}};
+       {"balancer.oil", "such as { grade = \"ISO VG 32\", at = \"40 degC\" }"}}};
   return all;
 }
 
@@ -66,7 +65,7 @@ void refuse_several_ways(const Study& study, const Refuse& refuse) {
     std::string_view given;
     for (const Way& way : ways) {
       if (!study.states(way.key)) continue;
-      if (!given.empty()) refuse(std::string(way.key), fmt::format(words::study::either_or, given, way.key));
+      if (!given.empty()) refuse(std::string(way.key), fmt::format("give either {} or {}, not both", given, way.key));
       given = way.key;
     }
   }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "equipoise/study/words/units.hpp"
-
 namespace equipoise {
 
 StudyValue::StudyValue(Array entries) : value_(std::move(entries)) {}
@@ -57,7 +55,7 @@ const StudyValue* StudyValue::find_path(std::string_view dotted) const {
 
 StudyValue& StudyValue::set(std::string key, StudyValue value) {
   auto* members = std::get_if<Table>(&value_);
-  if (!members) throw std::logic_error(words::units::members_of_no_table);
+  if (!members) throw std::logic_error("a value that is no table has no members");
   if (StudyValue* there = find(key)) return *there = std::move(value);
   members->push_back({std::move(key), std::move(value)});
   return members->back().value;

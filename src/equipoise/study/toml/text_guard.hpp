@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/words/units.hpp"
-
 namespace equipoise::study {
 
 /// Why a text cannot be read, and where; line and column (in bytes) count from 1.
@@ -39,7 +37,8 @@ class TextGuard {
       } else if (c == '"' || c == '\'') {
         skip_string(c);
       } else if (c == '.') {
-        if (++key_parts_ > most_key_parts) fail(fmt::format(words::units::too_many_key_parts, most_key_parts));
+        if (++key_parts_ > most_key_parts)
+          fail(fmt::format("a key has more than {} parts; no key of a study does", most_key_parts));
       } else if (std::string_view(",=\n[]{}").find(c) != std::string_view::npos) {
         key_parts_ = 1;
       } else {
@@ -51,7 +50,8 @@ class TextGuard {
 
  private:
   void check_ascii() {
-    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) fail(words::units::no_ascii);
+    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80)
+      fail("a character that is not ASCII, outside of comments and values in quotes; no study needs one");
   }
 
   // A quote elsewhere does not begin a string for the parser.

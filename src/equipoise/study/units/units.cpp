@@ -15,11 +15,13 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/units/unit_table.hpp"
 #include "equipoise/study/units/unit_text.hpp"
-#include "equipoise/study/words/units.hpp"
 
 namespace equipoise::study {
 
 namespace {
+
+constexpr char no_number_with_unit[] = "is not a number with a unit; {}";
+constexpr char measures_something_else[] = "\"{}\" is a unit of something else; {}";
 
 constexpr std::array<DimensionWords, 22> all_words{{
     {"a mass", "kg", "12 kg", "kg"},
@@ -32,7 +34,7 @@ constexpr std::array<DimensionWords, 22> all_words{{
     {"a stiffness", "N/m", "48 kN/m", "N/m"},
     {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
     {"a torque", "N m", "0.5 N m", "N m"},
-    {words::units::torque_for_a_speed, "N m s", "0.01 N m s", "N m s"},
+    {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
     {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
     {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
     {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3"},
@@ -42,8 +44,8 @@ constexpr std::array<DimensionWords, 22> all_words{{
     {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
     {"an angle", "rad", "30 degree", "rad", "rad"},
     {"a temperature", "K", "40 degC", "K"},
-    {words::units::weight_inertia, "N m2", "0.3 kgf m2", "N m2"},
-    {words::units::force_for_a_speed, "N s", "2 N s", "N s"},
+    {"a weight times a diameter squared", "N m2", "0.3 kgf m2", "N m2"},
+    {"a force for a speed of tilting", "N s", "2 N s", "N s"},
 }};
 
 bool names_hertz(std::string_view unit) {
@@ -200,7 +202,7 @@ double scale_of(Dimension dimension, const model::Scales& s) {
     case Dimension::weight_inertia:
       break;
   }
-  throw std::logic_error(words::units::dimension_without_numbers);
+  throw std::logic_error("no dimensionless study has this dimension");
 }
 
 NumberAndUnit split_quantity(std::string_view text) {
@@ -229,21 +231,21 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const auto [number, unit_text, error] = split_quantity(text);
   result.value = number;
   if (error == std::errc::invalid_argument) {
-    result.problem = fmt::format(words::units::no_number, must_be);
+    result.problem = fmt::format("does not begin with a number; {}", must_be);
     return result;
   }
   if (error != std::errc() || !std::isfinite(result.value)) {
-    result.problem = fmt::format(words::units::number_out_of_range, must_be);
+    result.problem = fmt::format("the number is out of range; {}", must_be);
     return result;
   }
   if (unit_text.empty()) {
-    result.problem = fmt::format(words::units::no_unit, must_be);
+    result.problem = fmt::format("has no unit; {}", must_be);
     return result;
   }
   for (const TemperatureScale& scale : temperature_scales) {
     if (unit_text != scale.name) continue;
     if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end()) {
-      result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
+      result.problem = fmt::format(measures_something_else, unit_text, must_be);
       return result;
     }
     result.value = result.value * scale.kelvin + scale.zero;
@@ -252,7 +254,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   }
   const UnitText checked(unit_text);
   if (!checked.is_product) {
-    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
+    result.problem = fmt::format(no_number_with_unit, must_be);
     return result;
   }
   for (const std::string& name : checked.names) {
@@ -263,7 +265,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   }
   const std::optional<TableUnit> unit = table_unit(checked.text);
   if (!unit) {
-    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
+    result.problem = fmt::format(no_number_with_unit, must_be);
     return result;
   }
   for (const Dimension dimension : wanted) {
@@ -273,8 +275,8 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.dimension = dimension;
     return result;
   }
-  result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
-  if (wanted.front() == Dimension::speed) result.problem += words::units::speed_units;
+  result.problem = fmt::format(measures_something_else, unit_text, must_be);
+  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns a second)";
   return result;
 }
 
