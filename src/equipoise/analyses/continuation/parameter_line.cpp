@@ -19,6 +19,14 @@
 
 namespace equipoise {
 
+namespace {
+
+constexpr char line_form[] =
+    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
+    "quantities, e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
+
+}  // namespace
+
 ParameterLine::ParameterLine(const Study& study, const std::string& text, const std::string& where)
     : study_(with_medians(study)) {
   parse(text, where);
@@ -100,9 +108,6 @@ double* initial_value(InitialState& start, int balls, const std::string& key) {
 
 namespace {
 
-constexpr char line_form[] =
-    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
-    "quantities, e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
 // A study in physical units has become dimensionless here. Numbers that follow from several of its values do not change
 // as they would if one of those were given otherwise.
 void refuse_if_derived(const Study& study, const std::string& key) {
