@@ -402,8 +402,9 @@ Json transient_json(const TransientResult& r, const Study& study) {
       Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
       if (f.needs) put(figure, "for_good", group.for_good(f));
     }
-    put(one, "exceeded", by_name(group.exceeded, transient_limits, sure), "exceeded_at_end",
-        by_name(group.exceeded_at_end, transient_limits, sure), "within", by_name(group.within, within_names, sure));
+    put(one, "exceeded", by_name(group.exceeded, transient_limits, sure), "within",
+        by_name(group.within, within_names, sure), "exceeded_at_end",
+        by_name(group.exceeded_at_end, transient_limits, sure));
     put_known(one, "balance_grade", left_grade(group, study), "mean_speed", group.mean_speed);
     return one;
   };
