@@ -173,8 +173,8 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   }
   const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : sure(s); };
   Json json = object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open,
-                     "lost", body.lost, "figures", figures, "exceeded", by_name(g.exceeded, transient_limits, told),
-                     "within", by_name(g.within, within_names, told));
+                     "lost", body.lost, "figures", figures, "within", by_name(g.within, within_names, told), "exceeded",
+                     by_name(g.exceeded, transient_limits, told));
   if (g.starts > 0) put_known(json, "balance_grade", left_grade(g, study));
   put_known(json, "mean_speed", g.mean_speed);
   return json;
