@@ -80,7 +80,7 @@ void add_usual(CLI::App& app, CommonArguments& a);
 /// --json.
 void add_json(CLI::App& app, bool& json);
 
-/// The command's time begins, on the instruction set that was asked for.
+/// The command's time begins, on the instruction set that the user chose.
 void begin_computing(const CommonArguments& a);
 /// And the options of its work know their threads and what stops them.
 void begin_computing(const CommonArguments& a, RunOptions& options);

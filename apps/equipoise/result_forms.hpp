@@ -10,7 +10,7 @@
 
 namespace equipoise::app {
 
-/// The files asked for besides the output; empty: none.
+/// The files to write in addition to the output; empty: none.
 struct ResultForms : CommonArguments {
   std::string csv, plot, report;
 };

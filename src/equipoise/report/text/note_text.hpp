@@ -7,7 +7,7 @@
 
 namespace equipoise {
 
-/// A note about balance (classification/words/proof.hpp), with its speed and its growth rates in the study's units, to
+/// A note about balance (balanced_regions/balanced_analysis.cpp), with its speed and its growth rates in the study's units, to
 /// four digits.
 std::string note_text(const Study& study, const std::string& note);
 
