@@ -1,30 +1,37 @@
-// The table, and products of its units. What is not metric is exact by definition: A. Thompson and B. N. Taylor, NIST
-// SP 811 (2008), appendix B [SP811].
+// The table, its products and their typographic spellings. What is not metric is exact by definition: A. Thompson and
+// B. N. Taylor, NIST SP 811 (2008), appendix B [SP811].
 #include "equipoise/study/units/unit_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 #include <utility>
 
 #include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/display_text.hpp"
 
 namespace equipoise::study {
 
 namespace {
 
+// symbol: takes the prefixes k and m; word: takes kilo, and a plural s; alone: neither.
+enum class Form { symbol, word, alone };
+
 struct NamedUnit {
-  std::string_view name;
+  std::string_view names;  // between blanks
   TableUnit unit;
-  enum class Form {
-    symbol,
-    word,
-    alone
-  } form;  // symbol: takes the prefixes k and m; word: takes kilo, and a plural
-           // s; alone: neither
+  Form form;
+
+  bool has(std::string_view name) const {
+    for (std::string_view rest = names; !rest.empty();) {
+      const std::string_view one = rest.substr(0, rest.find(' '));
+      rest.remove_prefix(std::min(one.size() + 1, rest.size()));
+      if (name.starts_with(one) && (name == one || (form == Form::word && name.substr(one.size()) == "s"))) return true;
+    }
+    return false;
+  }
 };
-using Form = NamedUnit::Form;
 
 constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0, 0, 0, 1, 0}, radian{1.0, 0, 0, 0, 1},
     degree{pi / 180.0, 0, 0, 0, 1}, inch{2.54 * 0.01, 0, 1, 0, 0}, foot{12.0 * (2.54 * 0.01), 0, 1, 0, 0},
@@ -33,39 +40,34 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     newton{1.0, 1, 1, -2, 0}, pascal{1.0, 1, -1, -2, 0}, joule{1.0, 1, 2, -2, 0}, watt{1.0, 1, 2, -3, 0},
     stokes{1e-4, 0, 2, -1, 0}, kilogram_force{9.80665, 1, 1, -2, 0}, pound_force{0.45359237 * 9.80665, 1, 1, -2, 0},
     ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
-    litre{1e-3, 0, 3, 0, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
+    litre{1e-3, 0, 3, 0, 0}, poise{0.1, 1, -1, -1, 0}, dyne{1e-5, 1, 1, -2, 0}, yard{36.0 * (2.54 * 0.01), 0, 1, 0, 0},
+    day{86400.0, 0, 0, 1, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
 
-constexpr std::array<NamedUnit, 98> units{{
+constexpr auto units = std::to_array<NamedUnit>({
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
-    {"meter", metre, Form::word},
-    {"metre", metre, Form::word},
+    {"meter metre", metre, Form::word},
     {"s", second, Form::symbol},
     {"second", second, Form::word},
     {"sec", second, Form::alone},
     {"rad", radian, Form::symbol},
     {"radian", radian, Form::word},
     {"degree", degree, Form::word},
-    {"°", degree, Form::alone},
-    {"in", inch, Form::alone},
-    {"inch", inch, Form::alone},
-    {"inches", inch, Form::alone},
-    {"ft", foot, Form::alone},
-    {"foot", foot, Form::alone},
-    {"feet", foot, Form::alone},
-    {"lb", pound, Form::alone},
+    {"deg °", degree, Form::alone},
+    {"in inch inches", inch, Form::alone},
+    {"ft foot feet", foot, Form::alone},
+    {"lb lbs lbm", pound, Form::alone},
     {"pound", pound, Form::word},
     {"t", tonne, Form::alone},
     {"tonne", tonne, Form::word},
     {"min", minute, Form::alone},
     {"minute", minute, Form::word},
-    {"h", hour, Form::alone},
-    {"hr", hour, Form::alone},
+    {"h hr", hour, Form::alone},
     {"hour", hour, Form::word},
-    {"turn", turn, Form::word},
-    {"revolution", turn, Form::word},
-    {"rpm", rpm, Form::alone},
+    {"turn revolution rotation cycle", turn, Form::word},
+    {"rev r U", turn, Form::alone},  // U/min
+    {"rpm RPM", rpm, Form::alone},
     {"rps", rps, Form::alone},
     {"Hz", hertz, Form::symbol},
     {"hertz", hertz, Form::alone},
@@ -73,7 +75,7 @@ constexpr std::array<NamedUnit, 98> units{{
     {"newton", newton, Form::word},
     {"Pa", pascal, Form::symbol},
     {"pascal", pascal, Form::word},
-    {"J", joule, Form::symbol},
+    {"J Nm", joule, Form::symbol},
     {"joule", joule, Form::word},
     {"W", watt, Form::symbol},
     {"watt", watt, Form::word},
@@ -81,61 +83,41 @@ constexpr std::array<NamedUnit, 98> units{{
     {"stokes", stokes, Form::alone},
     {"micron", {1e-6, 0, 1, 0, 0}, Form::word},
     {"bar", {1e5, 1, -1, -2, 0}, Form::symbol},
-    {"kmh", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
-    {"kph", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
+    {"kmh kph", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
     {"mph", {63360.0 * (2.54 * 0.01) / 3600.0, 0, 1, -1, 0}, Form::alone},
-    {"kgf", kilogram_force, Form::alone},
-    {"lbf", pound_force, Form::alone},
+    {"kgf kp kilogram_force", kilogram_force, Form::alone},
+    {"lbf pound_force", pound_force, Form::alone},
     {"psi", {0.45359237 * 9.80665 / ((2.54 * 0.01) * (2.54 * 0.01)), 1, -1, -2, 0}, Form::alone},
-    {"poise", {0.1, 1, -1, -1, 0}, Form::word},
+    {"poise", poise, Form::word},
+    {"P", poise, Form::alone},
+    {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
     {"gravity", {9.80665, 0, 1, -2, 0}, Form::alone},
-    {"lbs", pound, Form::alone},
     {"oz", ounce, Form::alone},  // of mass
     {"ounce", ounce, Form::word},
-    {"ozf", ounce_force, Form::alone},
-    {"ounce_force", ounce_force, Form::alone},
-    {"pound_force", pound_force, Form::alone},
-    {"kilogram_force", kilogram_force, Form::alone},
-    {"kp", kilogram_force, Form::alone},
+    {"ozf ounce_force", ounce_force, Form::alone},
     {"gf", {0.001 * 9.80665, 1, 1, -2, 0}, Form::alone},
-    {"dyn", {1e-5, 1, 1, -2, 0}, Form::alone},
-    {"dyne", {1e-5, 1, 1, -2, 0}, Form::word},
+    {"dyn", dyne, Form::alone},
+    {"dyne", dyne, Form::word},
     {"erg", {1e-7, 1, 2, -2, 0}, Form::word},
-    {"hp", horsepower, Form::alone},
-    {"horsepower", horsepower, Form::alone},
+    {"hp horsepower", horsepower, Form::alone},
     {"slug", {0.45359237 * 9.80665 / (12.0 * (2.54 * 0.01)), 1, 0, 0, 0}, Form::word},
     {"mil", {0.001 * (2.54 * 0.01), 0, 1, 0, 0}, Form::word},
-    {"yd", {36.0 * (2.54 * 0.01), 0, 1, 0, 0}, Form::alone},
-    {"yard", {36.0 * (2.54 * 0.01), 0, 1, 0, 0}, Form::word},
-    {"l", litre, Form::symbol},
-    {"L", litre, Form::symbol},
-    {"liter", litre, Form::word},
-    {"litre", litre, Form::word},
-    {"d", {86400.0, 0, 0, 1, 0}, Form::alone},
-    {"day", {86400.0, 0, 0, 1, 0}, Form::word},
-    {"rev", turn, Form::alone},
-    {"r", turn, Form::alone},
-    {"rotation", turn, Form::word},
-    {"cycle", turn, Form::word},
-    {"P", {0.1, 1, -1, -1, 0}, Form::alone},
-    {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
+    {"yd", yard, Form::alone},
+    {"yard", yard, Form::word},
+    {"l L", litre, Form::symbol},
+    {"liter litre", litre, Form::word},
+    {"d", day, Form::alone},
+    {"day", day, Form::word},
+    {"arcmin ′", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
+    {"arcsec ″", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
     // Products that are often written without a blank.
-    {"Nm", joule, Form::symbol},
     {"Nmm", {0.001, 1, 2, -2, 0}, Form::symbol},
     {"Ns", {1.0, 1, 1, -1, 0}, Form::symbol},
     {"Nms", {1.0, 1, 2, -1, 0}, Form::symbol},
     {"Pas", {1.0, 1, -1, -1, 0}, Form::symbol},
     {"gmm", {0.001 * 0.001, 1, 1, 0, 0}, Form::symbol},
     {"gcm", {0.001 * 0.01, 1, 1, 0, 0}, Form::symbol},
-    {"deg", degree, Form::alone},
-    {"lbm", pound, Form::alone},
-    {"RPM", rpm, Form::alone},
-    {"U", turn, Form::alone},  // U/min
-    {"arcmin", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
-    {"arcsec", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
-    {"′", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
-    {"″", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
-}};
+});
 
 struct Prefix {
   std::string_view symbol, word;
@@ -156,29 +138,19 @@ constexpr std::array<Prefix, 14> prefixes{{{"k", "kilo", 1e3},
                                            {"p", "pico", 1e-12},
                                            {"T", "tera", 1e12}}};
 
+const NamedUnit* find_unit(std::string_view name) {
+  const auto found = std::find_if(units.begin(), units.end(), [&](const NamedUnit& u) { return u.has(name); });
+  return found == units.end() ? nullptr : &*found;
+}
+
 std::optional<TableUnit> named(std::string_view name) {
-  for (const NamedUnit& u : units) {
-    if (u.name == name) return u.unit;
-    if (u.form == Form::word && name.size() == u.name.size() + 1 && name.ends_with('s') && name.starts_with(u.name))
-      return u.unit;
-  }
-  return std::nullopt;
-}
-
-bool takes(std::string_view name, Form form) {
-  for (const NamedUnit& u : units)
-    if (u.form == form && (u.name == name || (form == Form::word && name.ends_with('s') && name.starts_with(u.name))))
-      return true;
-  return false;
-}
-
-std::optional<TableUnit> with_prefix(std::string_view name) {
+  if (const NamedUnit* found = find_unit(name)) return found->unit;
   for (const Prefix& p : prefixes)
     for (const auto& [before, form] : {std::pair{p.word, Form::word}, std::pair{p.symbol, Form::symbol}}) {
-      if (!name.starts_with(before) || !takes(name.substr(before.size()), form)) continue;
-      std::optional<TableUnit> unit = named(name.substr(before.size()));
-      if (!unit) continue;
-      unit->si *= p.factor;
+      const NamedUnit* found = name.starts_with(before) ? find_unit(name.substr(before.size())) : nullptr;
+      if (!found || found->form != form) continue;
+      TableUnit unit = found->unit;
+      unit.si *= p.factor;
       return unit;
     }
   return std::nullopt;
@@ -192,71 +164,146 @@ TableUnit power(const TableUnit& a, int n) {
   return {std::pow(a.si, n), n * a.kilogram, n * a.metre, n * a.second, n * a.radian};
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"⁰", '0'},
+                                                                    {"¹", '1'},
+                                                                    {"²", '2'},
+                                                                    {"³", '3'},
+                                                                    {"⁴", '4'},
+                                                                    {"⁵", '5'},
+                                                                    {"⁶", '6'},
+                                                                    {"⁷", '7'},
+                                                                    {"⁸", '8'},
+                                                                    {"⁹", '9'},
+                                                                    {"⁻", '-'}}};
+// The middle dot and the dot operator; no-break, narrow no-break and thin spaces.
+constexpr std::array<std::pair<std::string_view, char>, 5> signs{
+    {{"\u00B7", '.'}, {"\u22C5", '.'}, {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '}}};
 
-// The text must follow the grammar of UnitText.
-class ProductReader {
+template <class Table>
+char meaning(const Table& table, std::string_view character) {
+  const auto at = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == character; });
+  return at == table.end() ? 0 : at->second;
+}
+
+std::string in_plain_signs(std::string_view text) {
+  std::string plain;
+  bool in_power = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, character_length(text, at));
+    const std::string_view character = text.substr(at, length);
+    at += length;
+    const char power = meaning(raised, character), sign = meaning(signs, character);
+    if (power && !in_power) plain += '^';
+    in_power = power != 0;
+    if (power || sign)
+      plain += power ? power : sign;
+    else
+      plain += character;
+  }
+  plain.erase(0, plain.find_first_not_of(' '));
+  plain.erase(plain.find_last_not_of(' ') + 1);
+  return plain;
+}
+
+// Reads the text of `into`. Its functions return nothing where the text has another form; units that are not known
+// count as 1.
+class UnitReader {
  public:
-  explicit ProductReader(std::string_view text) : text_(text) {}
+  explicit UnitReader(UnitText& into) : into_(into), text_(into.text) {}
 
-  std::optional<TableUnit> read() {
-    TableUnit result;
-    for (bool divides = false;;) {
-      const std::optional<TableUnit> next = factor();
-      if (!next) return std::nullopt;
-      result = product(result, divides ? power(*next, -1) : *next);
-      divides = false;
-      while (!over() && std::string_view(" .*-/").find(text_[at_]) != std::string_view::npos)
-        divides = text_[at_++] == '/' || divides;
-      if (over() || text_[at_] == ')') return result;
-    }
+  void read() {
+    constexpr std::size_t longest = 60;
+    const auto unit = text_.size() <= longest ? product(0) : std::nullopt;
+    into_.is_product = unit && over();
+    if (into_.is_product && known_) into_.unit = unit;
   }
 
  private:
-  bool over() const { return at_ == text_.size(); }
+  using Unit = std::optional<TableUnit>;
 
-  std::optional<TableUnit> factor() {
-    if (over()) return std::nullopt;
-    std::optional<TableUnit> unit;
-    if (text_[at_] == '(') {
-      ++at_;
-      unit = read();
-      if (!unit || over()) return std::nullopt;
-      ++at_;
-    } else if (is_digit(text_[at_])) {
-      double number = 0.0;
-      for (; !over() && is_digit(text_[at_]); ++at_) number = 10.0 * number + (text_[at_] - '0');
-      return TableUnit{number};
-    } else {
-      const std::size_t begin = at_;
-      while (!over() && !is_digit(text_[at_]) &&
-             std::string_view("^ .*-/()").find(text_[at_]) == std::string_view::npos)
-        ++at_;
-      const std::string_view name = text_.substr(begin, at_ - begin);
-      unit = named(name);
-      if (!unit) unit = with_prefix(name);
-      if (!unit) return std::nullopt;
+  Unit product(int depth) {
+    TableUnit result;
+    for (bool divides = false;;) {
+      const Unit next = factor(depth);
+      if (!next) return {};
+      result = study::product(result, divides ? power(*next, -1) : *next);
+      const std::size_t end = at_;
+      skip_blanks();
+      if (over() || text_[at_] == ')') return result;
+      divides = text_[at_] == '/';
+      if (take("./*-"))
+        skip_blanks();
+      else if (at_ == end)
+        return {};
     }
-    return raised(*unit);
   }
 
-  TableUnit raised(const TableUnit& unit) {
-    std::size_t at = at_ + (!over() && text_[at_] == '^');
-    const bool minus = at + 1 < text_.size() && text_[at] == '-' && is_digit(text_[at + 1]);
-    at += minus;
-    if (at >= text_.size() || !is_digit(text_[at])) return unit;
-    const int n = text_[at] - '0';
-    at_ = at + 1;
-    return power(unit, minus ? -n : n);
+  Unit factor(int depth) {
+    Unit unit;
+    if (take("(")) {
+      unit = depth == 0 ? product(1) : std::nullopt;
+      if (!unit || !take(")")) return {};
+    } else if (digit()) {
+      double number = 0.0;
+      for (int count = 0; digit(); ++at_) {
+        if (++count > 6) return {};
+        number = 10.0 * number + (text_[at_] - '0');
+      }
+      return TableUnit{number};
+    } else if (!(unit = name())) {
+      return {};
+    }
+    const bool caret = take("^");
+    const bool minus = at_ + 1 < text_.size() && text_[at_] == '-' && is_digit(text_[at_ + 1]);
+    at_ += minus;
+    if (!digit()) return caret ? std::nullopt : unit;
+    const int n = text_[at_++] - '0';
+    return digit() ? std::nullopt : Unit(power(*unit, minus ? -n : n));
   }
 
-  std::string_view text_;
+  Unit name() {
+    const std::size_t begin = at_;
+    while (const std::size_t length = letter()) at_ += length;
+    const std::string_view word = text_.substr(begin, at_ - begin);
+    if (word.empty() && !take("%")) return {};
+    constexpr std::array<std::string_view, 5> grammar{"per", "after", "from", "since", "ref"};
+    const auto same = [](char a, char b) { return (a | 0x20) == b; };
+    for (const std::string_view other : grammar)
+      if (std::equal(word.begin(), word.end(), other.begin(), other.end(), same)) return {};
+    const Unit unit = named(word);
+    into_.names += !word.empty();
+    if (!unit && into_.unknown.empty()) into_.unknown = word;
+    known_ = known_ && unit;
+    return unit.value_or(TableUnit{});
+  }
+
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  // Bytes of the letter here; 0 if there is none. Everything beyond ASCII counts as a letter: units have µ and °.
+  std::size_t letter() const {
+    const std::size_t length = at_ < text_.size() ? character_length(text_, at_) : 0;
+    const char c = length == 1 ? text_[at_] : 'a';
+    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ? length : 0;
+  }
+  bool over() const { return at_ == text_.size(); }
+  bool digit() const { return !over() && is_digit(text_[at_]); }
+  bool take(std::string_view any_of) {
+    const bool there = !over() && any_of.find(text_[at_]) != std::string_view::npos;
+    at_ += there;
+    return there;
+  }
+  void skip_blanks() {
+    while (!over() && text_[at_] == ' ') ++at_;
+  }
+
+  UnitText& into_;
+  const std::string_view text_;
   std::size_t at_ = 0;
+  bool known_ = true;
 };
 
 }  // namespace
 
-std::optional<TableUnit> table_unit(const std::string& text) { return ProductReader(text).read(); }
+UnitText::UnitText(std::string_view given) : text(in_plain_signs(given)) { UnitReader(*this).read(); }
 
 double TableUnit::worth_in(const TableUnit& other) const {
   const double one = si / other.si;

@@ -1,8 +1,9 @@
-// The units that studies may use.
+// The units that studies may use, and products of them.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace equipoise::study {
 
@@ -20,7 +21,19 @@ struct TableUnit {
   bool counts_radians() const { return radian == 1; }
 };
 
-/// Reads a name, or a product as defined by UnitText; empty if a name is not in the table.
-std::optional<TableUnit> table_unit(const std::string& text);
+/// A text read as a product of units: names with a one-digit power at most, numbers, one level of brackets. A study
+/// needs no more. Superscript digits, raised dots and typographic spaces are replaced: "N·m·s⁻²" becomes "N.m.s^-2".
+struct UnitText {
+  explicit UnitText(std::string_view given);
+
+  std::string text;               ///< UTF-8, in plain signs
+  bool is_product = false;        ///< it has the form of one
+  std::string unknown;            ///< its first name that is not in the table
+  int names = 0;                  ///< in it
+  std::optional<TableUnit> unit;  ///< empty if it is no product of units in the table
+};
+
+/// The unit alone.
+inline std::optional<TableUnit> table_unit(std::string_view text) { return UnitText(text).unit; }
 
 }  // namespace equipoise::study

@@ -14,7 +14,6 @@
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/units/unit_table.hpp"
-#include "equipoise/study/units/unit_text.hpp"
 
 namespace equipoise::study {
 
@@ -257,19 +256,17 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.problem = fmt::format(no_number_with_unit, must_be);
     return result;
   }
-  for (const std::string& name : checked.names) {
-    if (table_unit(name)) continue;
-    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(name),
-                                 unit_hint(name, checked.names.size() == 1, wanted), must_be);
+  if (!checked.unknown.empty()) {
+    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(checked.unknown),
+                                 unit_hint(checked.unknown, checked.names == 1, wanted), must_be);
     return result;
   }
-  const std::optional<TableUnit> unit = table_unit(checked.text);
-  if (!unit) {
+  if (!checked.unit) {
     result.problem = fmt::format(no_number_with_unit, must_be);
     return result;
   }
   for (const Dimension dimension : wanted) {
-    const double one = factor(*unit, checked.text, dimension);
+    const double one = factor(*checked.unit, checked.text, dimension);
     if (one == 0.0) continue;
     result.value *= one;
     result.dimension = dimension;
