@@ -11,7 +11,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/mechanics/forced_vibration.hpp"
+#include "equipoise/machine/mechanics/whirl.hpp"
 
 namespace equipoise {
 
@@ -158,9 +158,11 @@ bool captured_at_resonance(const model::System& system, const Motion& motion) {
   const model::Parameters& p = system.parameters();
   const double meant = std::fabs(system.pace()), speed = std::fabs(motion.speed);
   double resonance = std::sqrt(0.5 * (p.stiffness[0] + p.stiffness[1]) / (1.0 + p.total_mass()));
-  if (p.tilts())  // the highest that it was meant to leave behind
-    for (const double critical : model::tilting_critical_speeds(p, true))
+  if (p.tilts()) {
+    const model::WhirlSpeeds whirl = model::whirl_speeds(p, true);
+    for (const double critical : whirl.excited())  // the highest that it was meant to leave behind
       if (critical < meant) resonance = critical;
+  }
   return meant > resonance && speed * speed < resonance * meant &&
          motion.motor->support_power > 0.5 * motion.motor->power;
 }

@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <Eigen/Core>
-
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/whirl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 
@@ -50,40 +47,8 @@ std::array<double, 2> critical_speeds(const Parameters& p) {
   return {std::sqrt(p.stiffness[0] / mass), std::sqrt(p.stiffness[1] / mass)};
 }
 
-std::vector<double> tilting_critical_speeds(const Parameters& p, bool balls) {
-  // X = a cos(wt), Y = b sin(wt), S = c cos(wt) + i d sin(wt): the gyroscopic moment couples c and d as an inertia
-  // does. On supports alike in X and Y a = b and c = d, for nothing excites whirling against the rotation.
-  const bool alike = p.isotropic();
-  const int size = alike ? 2 : 4, across = size / 2;  // the centre's components come first
-  Eigen::MatrixXd inertia = Eigen::MatrixXd::Identity(size, size), springs = Eigen::MatrixXd::Zero(size, size);
-  for (int d = 0; d < across; ++d) {
-    const int slope = across + d;
-    const std::array<double, 2>& k = p.tilt.stiffness[static_cast<std::size_t>(d)];
-    springs(d, d) = p.stiffness[static_cast<std::size_t>(d)];
-    springs(d, slope) = springs(slope, d) = k[0];
-    springs(slope, slope) = k[1];
-    inertia(slope, slope) = p.tilt.transverse_inertia;
-    inertia(slope, alike ? slope : across + 1 - d) -= p.tilt.polar_inertia;
-    for (int i = 0; balls && i < p.balls; ++i) {
-      const double mass = p.mass[static_cast<std::size_t>(i)], z = p.tilt.plane[static_cast<std::size_t>(i)];
-      inertia(d, d) += mass;
-      inertia(d, slope) += mass * z;
-      inertia(slope, d) += mass * z;
-      inertia(slope, slope) += mass * z * z;
-    }
-  }
-  // Of springs^-1 inertia: upside down those of inertia^-1 springs, which need not exist.
-  constexpr double rounding = 1e-12;
-  std::vector<double> speeds;
-  for (const std::complex<double>& v : dense::eigenvalues(dense::inverse(springs) * inertia))
-    if (v.real() > rounding && std::abs(v.imag()) < rounding) speeds.push_back(1.0 / std::sqrt(v.real()));
-  std::sort(speeds.begin(), speeds.end());
-  return speeds;
-}
-
 double highest_critical_speed(const Parameters& p) {
-  if (p.tilts()) return tilting_critical_speeds(p, false).back();
-  return std::sqrt(std::max(p.stiffness[0], p.stiffness[1]));
+  return p.tilts() ? whirl_speeds(p, false).excited().back() : std::sqrt(std::max(p.stiffness[0], p.stiffness[1]));
 }
 
 double quiet_speed(const Parameters& p) {

@@ -14,10 +14,6 @@ namespace equipoise::model {
 /// sqrt(kappa/(1 + N)), by direction.
 std::array<double, 2> critical_speeds(const Parameters& p);
 
-/// Of a rotor that tilts, rising: the speeds at which an undamped vibration of centre and slope goes round with the
-/// rotor. `balls`: with the balls at rest around their races.
-std::vector<double> tilting_critical_speeds(const Parameters& p, bool balls);
-
 /// The highest one of the rotor without balls, whether it tilts or not.
 double highest_critical_speed(const Parameters& p);
 
