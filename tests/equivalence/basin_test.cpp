@@ -259,14 +259,13 @@ TEST(Basin, AFileOfResultsThatComeOutOtherwiseHereIsRefusedBeforeAnyAreAdded) {
   options.output = scratch_file("otherwise.nc");
   {
     BasinFile file(options.output, basin_file_header(study, true));
-    const std::vector<double> phi(600, 1.0);
-    std::vector<Fate> fates(300);
-    for (Fate& fate : fates) fate.time = 1.0;
-    StartBatch batch;
-    batch.count = 300;
-    batch.phi = phi.data();
-    batch.fates = fates.data();
-    file.append(batch, {});
+    StartArrays starts;
+    starts.starts = 300;
+    starts.phi.assign(600, 1.0);
+    starts.outcome.assign(300, undecided_code);
+    starts.decision_time.assign(300, 1.0);
+    starts.decided_by.assign(300, 0);
+    file.append(starts, {});
     file.finish({"", {{undecided_code, "undecided", "", wilson_share(300, 300)}}, true, {}});
   }
   study.sampling.starts = 400;

@@ -90,17 +90,15 @@ Fate fate_of(std::uint64_t i) {
 }
 
 void append(BasinFile& file, std::size_t count) {
-  std::vector<double> phi;
-  std::vector<Fate> fates;
+  StartArrays starts;
+  starts.starts = count;
   for (std::uint64_t i = file.stored(); i < file.stored() + count; ++i) {
-    phi.insert(phi.end(), {static_cast<double>(i), -static_cast<double>(i)});
-    fates.push_back(fate_of(i));
+    starts.phi.insert(starts.phi.end(), {static_cast<double>(i), -static_cast<double>(i)});
+    starts.outcome.push_back(code_of(fate_of(i)));
+    starts.decision_time.push_back(fate_of(i).time);
+    starts.decided_by.push_back(static_cast<signed char>(fate_of(i).by));
   }
-  StartBatch batch;
-  batch.count = count;
-  batch.phi = phi.data();
-  batch.fates = fates.data();
-  file.append(batch, {0.25, 0.5});
+  file.append(starts, {0.25, 0.5});
 }
 
 void expect_starts(const BasinFile& file, std::uint64_t count) {

@@ -304,9 +304,9 @@ class BasinRun {
       undecided_.push_back(tally_->total() - 1);
     if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
-    if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
-      add_start(result_.study, *sampler_, start(result_.every_start->starts), result_.own_starts, fate, row,
-                *result_.every_start);
+    if (StartArrays* kept = result_.every_start ? &*result_.every_start : nullptr;
+        kept && kept->starts < options_.keep_at_most)
+      add_start(result_.study, *sampler_, kept->starts, start(kept->starts), result_.own_starts, fate, row, *kept);
     met_ += fate.met;
     if (options_.fate) options_.fate(fate);
   }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -19,9 +18,9 @@ bool balls_may_stick(const Study& study) {
   return study.parameters.balls_stick() || std::any_of(values.begin(), values.end(), drawn);
 }
 
-void add_start(const Study& study, const Sampler& sampler, const InitialState& s, bool own, const Fate& fate,
-               const TransientRow* row, StartArrays& arrays) {
-  const std::uint64_t index = arrays.starts++;
+void add_start(const Study& study, const Sampler& sampler, std::uint64_t index, const InitialState& s, bool own,
+               const Fate& fate, const TransientRow* row, StartArrays& arrays) {
+  ++arrays.starts;
   const int balls = arrays.balls = study.parameters.balls;
   arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
   if (own) arrays.psi.push_back(s.psi);

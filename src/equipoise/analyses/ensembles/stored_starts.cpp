@@ -1,11 +1,13 @@
 // Checks stored starts by deciding some again; appends starts with their draws.
 #include "equipoise/analyses/ensembles/stored_starts.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/analyses/ensembles/start_arrays.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
@@ -38,30 +40,18 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
   }
 }
 
-// A chunk does not carry what its starts drew, which follows from their index, so the file makes the draws again.
 void append_starts(BasinFile& file, const Study& study, const Sampler& sampler, const Chunk& chunk,
                    std::pair<std::size_t, std::size_t> part, bool own,
                    const std::function<InitialState(std::uint64_t)>& start_of, const RunTime& so_far) {
-  std::vector<double> rotor, phi_dot, psi, weight, drawn;
+  const bool whole = own || !study.sampling.box.empty();
+  const auto balls = static_cast<std::size_t>(study.parameters.balls);
+  StartArrays starts;
   for (std::size_t i = part.first; i < part.second; ++i) {
-    if (sampler.grid()) weight.push_back(sampler.weight(study.sampling.seed, chunk.first + i));
-    for (const double v : drawn_values(study, sampler, study.sampling.seed, chunk.first + i)) drawn.push_back(v);
-    if (study.sampling.box.empty() && !own) continue;
-    const InitialState s = start_of(chunk.first + i);
-    psi.push_back(s.psi);
-    rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
-    phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
+    InitialState s = whole ? start_of(chunk.first + i) : InitialState{};
+    std::copy_n(chunk.phi.data() + i * balls, balls, s.phi.begin());
+    add_start(study, sampler, chunk.first + i, s, own, chunk.fates[i], chunk.row(i), starts);
   }
-  file.append({.count = part.second - part.first,
-               .phi = chunk.phi.data() + part.first * static_cast<std::size_t>(study.parameters.balls),
-               .fates = chunk.fates.data() + part.first,
-               .rotor = rotor.data(),
-               .phi_dot = phi_dot.data(),
-               .psi = psi.data(),
-               .weight = weight.data(),
-               .rows = chunk.row(part.first),
-               .drawn = drawn.data()},
-              so_far);
+  file.append(starts, so_far);
 }
 
 }  // namespace equipoise

@@ -37,26 +37,6 @@ std::vector<InitialState> initial_states(const StartArrays& a) {
   return starts;
 }
 
-std::vector<Fate> fates_of(const StartArrays& a) {
-  std::vector<Fate> fates(a.starts);
-  for (std::size_t i = 0; i < fates.size(); ++i) {
-    if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fates[i]))
-      throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
-                       "must be an outcome that basin() returned");
-    if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
-    if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
-    if (!a.balls_met.empty()) fates[i].met = a.balls_met[i] != 0;
-  }
-  return fates;
-}
-
-std::vector<TransientRow> rows_of(const StartArrays& a) {
-  std::vector<TransientRow> rows(a.starts);
-  for (std::size_t k = 0; k < transient_figures.size(); ++k)
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*transient_figures[k].value = a.transients[k][i];
-  return rows;
-}
-
 // `given`: checksum of the caller's starts.
 BasinFileHeader header_of(const BasinResult& result, const std::string& given) {
   return basin_file_header(result.study, true, result.transients.has_value(), given, result.cpu_target);
@@ -67,6 +47,14 @@ void check_whole(const BasinResult& result) {
   if (result.starts == 0 || kept != result.starts)
     throw InputError("basin file", "every_start", fmt::format("{}", kept),
                      fmt::format("of {} starts; must be all (keep_starts), and one or more", result.starts));
+}
+
+void check_outcomes(const StartArrays& a) {
+  Fate fate;
+  for (std::size_t i = 0; i < a.starts; ++i)
+    if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fate))
+      throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
+                       "must be an outcome that basin() returned");
 }
 
 }  // namespace
@@ -92,21 +80,11 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   const std::string given = result.own_starts ? checksum_of(result.study, initial_states(a)) : "";
   const BasinFileHeader header = header_of(result, given);
   const std::vector<io::StartColumn> columns = io::start_columns(header);
-  const std::vector<Fate> fates = fates_of(a);
-  const std::vector<TransientRow> rows = result.transients ? rows_of(a) : std::vector<TransientRow>{};
-  const StartBatch batch{.count = a.starts,
-                         .phi = a.phi.data(),
-                         .fates = fates.data(),
-                         .rotor = a.rotor_state.data(),
-                         .phi_dot = a.phi_dot.data(),
-                         .psi = a.psi.data(),
-                         .weight = a.weight.data(),
-                         .rows = rows.data(),
-                         .drawn = a.drawn.data()};
+  check_outcomes(a);
   Study study = result.study;
   if (!result.partial && !result.grid) study.sampling.starts = result.starts;
   const auto values = [&](std::size_t k) -> DataValues {
-    return [&batch, value = columns[k].value](std::size_t at) { return value(batch, at); };
+    return [&a, value = columns[k].value](std::size_t at) { return value(a, at); };
   };
   BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, {result.seconds, result.cpu_seconds}};
   if (result.transients) end.all = result.transients->groups.front();

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise::io {
 

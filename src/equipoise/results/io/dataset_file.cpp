@@ -2,11 +2,8 @@
 #include "equipoise/results/io/dataset_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <numeric>
-
-#include <netcdf.h>
 
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
@@ -71,18 +68,13 @@ void write_values(NetcdfFile& file, int variable, const DataColumn& column, cons
 
 }  // namespace
 
-int netcdf_type(DataColumn::Type type) {
-  constexpr std::array types{NC_CHAR, NC_BYTE, NC_SHORT, NC_INT, NC_FLOAT, NC_DOUBLE};
-  return types[static_cast<std::size_t>(type)];
-}
-
 void write_netcdf_file(const std::string& path, const Dataset& data) {
   Replacement place(path);
   NetcdfFile file(place.file(), mode_for(data), path);
   std::vector<int> dimensions, variables;
   for (const auto& [name, length] : data.dimensions) dimensions.push_back(file.dimension(name, length));
   for (const DataColumn& c : data.columns) variables.push_back(define(file, c, dimensions));
-  for (const auto& [name, text] : data.attributes) file.attribute(NC_GLOBAL, name, text);
+  for (const auto& [name, text] : data.attributes) file.attribute(name, text);
   if (!data.filled) file.leave_unfilled();
   file.end_definitions();
   for (std::size_t k = 0; k < variables.size(); ++k)

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
-
-int netcdf_type(DataColumn::Type type);
 
 /// Puts a new file, sealed (sealed_file.hpp), in the place of `path`. Throws RunError, with an old file as it was.
 void write_netcdf_file(const std::string& path, const Dataset& data);

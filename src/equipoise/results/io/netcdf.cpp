@@ -1,6 +1,7 @@
 // Checked calls of the NetCDF C library, one at a time.
 #include "equipoise/results/io/netcdf.hpp"
 
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <mutex>
@@ -11,7 +12,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/io/netcdf_header.hpp"
 
 namespace equipoise::io {
 
@@ -29,6 +29,11 @@ Result call(Result (*function)(Parameters...), Arguments... arguments) {
 }
 
 }  // namespace
+
+int netcdf_type(DataColumn::Type type) {
+  constexpr std::array types{NC_CHAR, NC_BYTE, NC_SHORT, NC_INT, NC_FLOAT, NC_DOUBLE};
+  return types[static_cast<std::size_t>(type)];
+}
 
 void NetcdfFile::check(int status, const std::string& what) const {
   if (status != NC_NOERR) throw RunError(name_ + ": " + what + ": " + call(nc_strerror, status));
@@ -125,6 +130,8 @@ void NetcdfFile::leave_unfilled() {
 void NetcdfFile::attribute(int variable, const std::string& name, const std::string& text) {
   check(call(nc_put_att_text, id_, variable, name.c_str(), text.size(), text.c_str()), "attribute " + name);
 }
+
+void NetcdfFile::attribute(const std::string& name, const std::string& text) { attribute(NC_GLOBAL, name, text); }
 
 void NetcdfFile::attribute(int variable, const std::string& name, int type, const std::vector<int>& values) {
   check(call(nc_put_att_int, id_, variable, name.c_str(), type, values.size(), values.data()), "attribute " + name);

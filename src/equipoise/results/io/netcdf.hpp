@@ -11,7 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
+
 namespace equipoise::io {
+
+int netcdf_type(DataColumn::Type type);
+
+/// Why the header of a classic NetCDF file contradicts itself or the file's length, at which the C library (4.9) takes
+/// all memory, loops or crashes; empty if the library may read it. Formats 1, 2 and 5 of the format's specification
+/// (docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html).
+std::string netcdf_fault(const std::string& path);
 
 /// One open NetCDF file, closed on destruction.
 class NetcdfFile {
@@ -40,6 +49,7 @@ class NetcdfFile {
   /// Skips filling: every value will be written.
   void leave_unfilled();
   void attribute(int variable, const std::string& name, const std::string& text);
+  void attribute(const std::string& name, const std::string& text);  ///< of the file
   void attribute(int variable, const std::string& name, int type, const std::vector<int>& values);
   /// Global text attribute, as display_lines() leaves it; empty if absent.
   std::string attribute(const std::string& name) const;

@@ -1,12 +1,12 @@
 // Reads a header as the library does, but checks every count before it is used.
-#include "equipoise/results/io/netcdf_header.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
 #include <utility>
 #include <vector>
+
+#include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
 

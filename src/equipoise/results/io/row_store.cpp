@@ -7,7 +7,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise::io {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "equipoise/core/running/search_log.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/journal.hpp"
-#include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
 

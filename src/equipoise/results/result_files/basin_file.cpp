@@ -10,7 +10,6 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_netcdf.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
@@ -76,18 +75,18 @@ std::vector<double> BasinFile::values_of(const char* name, std::uint64_t first, 
   return values;
 }
 
-void BasinFile::append(const StartBatch& batch, const RunTime& so_far) {
-  if (batch.count == 0) return;
+void BasinFile::append(const StartArrays& starts, const RunTime& so_far) {
+  if (starts.starts == 0) return;
   if (!ran_on(header_.cpu_target)) {
     append_text(0, header_.cpu_target);
     cpu_targets_.push_back(header_.cpu_target);
   }
   append_rows({.first = stored_,
-               .count = batch.count,
+               .count = starts.starts,
                .seconds = time_.seconds + so_far.seconds,
                .cpu_seconds = time_.cpu_seconds + so_far.cpu_seconds},
-              [&](std::size_t column, std::size_t place) { return columns_[column].value(batch, place); });
-  hold(stored_, batch.count);
+              [&](std::size_t column, std::size_t place) { return columns_[column].value(starts, place); });
+  hold(stored_, starts.starts);
 }
 
 std::string BasinFile::loss() const {

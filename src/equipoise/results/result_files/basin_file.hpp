@@ -90,7 +90,7 @@ class BasinFile : public io::RowStore {
   std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
   /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
   /// ones.
-  void append(const StartBatch& batch, const RunTime& so_far);
+  void append(const StartArrays& starts, const RunTime& so_far);
   /// Removes the search log: everything asked for is in `path`.
   void forget_notes();
   /// Writes the results, with earlier runs' time added; nothing if nothing is stored. Call it last. Throws like Store.

@@ -8,14 +8,11 @@
 #include <type_traits>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise::io {
-
-const float missing_figure = NC_FILL_FLOAT;
 
 namespace {
 
@@ -27,22 +24,23 @@ constexpr DataColumn::Type data_type = std::is_same_v<T, double>  ? DataColumn::
                                        : std::is_same_v<T, short> ? DataColumn::Type::small
                                                                   : DataColumn::Type::byte;
 
-// `of`: the value of one of the array's entries.
-template <class Entry, class Of>
-StartColumn of_each(const Column& told, const Entry* StartBatch::*entries, const Of& of) {
-  using T = std::invoke_result_t<Of, const Entry&>;
-  const auto value = [=](const StartBatch& batch, std::size_t place) -> double {
-    const T there = of((batch.*entries)[place]);
+template <class T>
+StartColumn column_of(const Column& told, std::vector<T> StartArrays::*values, std::size_t width = 1,
+                      const char* along = "") {
+  const auto value = [=](const StartArrays& starts, std::size_t place) -> double {
+    const T there = (starts.*values)[place];
     if constexpr (std::is_same_v<T, float>) return std::isfinite(there) ? there : missing_figure;
     return there;
   };
-  return {{told, data_type<T>}, value};
+  return {{told, data_type<T>, width, along}, value};
 }
 
-StartColumn as_given(const Column& told, const double* StartBatch::*values, std::size_t width = 1,
-                     const char* along = "") {
-  const auto value = [=](const StartBatch& batch, std::size_t place) { return (batch.*values)[place]; };
-  return {{told, DataColumn::Type::real, width, along}, value};
+StartColumn column_of(std::size_t figure) {
+  const auto value = [=](const StartArrays& starts, std::size_t place) -> double {
+    const float there = starts.transients[figure][place];
+    return std::isfinite(there) ? there : missing_figure;
+  };
+  return {{transient_figures[figure], DataColumn::Type::single}, value};
 }
 
 const char* outcome_meaning() {
@@ -63,38 +61,35 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   const auto add = [&](bool kept, const StartColumn& column) {
     if (kept) columns.push_back(column);
   };
-  const auto of_fates = [](const Column& told, const auto& of) { return of_each(told, &StartBatch::fates, of); };
-  add(header.angles,
-      as_given({"phi", "initial ball angle from the direction of the centre of mass, rotating frame", Dimension::angle},
-               &StartBatch::phi, balls, "ball"));
+  add(header.angles, column_of({"phi", "initial ball angle from the direction of the centre of mass, rotating frame",
+                                Dimension::angle},
+                               &StartArrays::phi, balls, "ball"));
   add(header.full_starts,
-      as_given({"rotor_state", "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame"},
-               &StartBatch::rotor, 4, "rotor_component"));
-  add(header.full_starts, as_given({"phi_dot", "initial rate of a ball in the rotating frame", Dimension::speed},
-                                   &StartBatch::phi_dot, balls, "ball"));
-  add(!header.own_starts.empty(), as_given({"psi", "initial angle of the rotor", Dimension::angle}, &StartBatch::psi));
-  add(!header.drawn.empty(), as_given({"drawn", "uncertain values that the start drew, each in uncertain_unit"},
-                                      &StartBatch::drawn, header.drawn.size(), "uncertain_value"));
+      column_of({"rotor_state", "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame"},
+                &StartArrays::rotor_state, 4, "rotor_component"));
+  add(header.full_starts, column_of({"phi_dot", "initial rate of a ball in the rotating frame", Dimension::speed},
+                                    &StartArrays::phi_dot, balls, "ball"));
+  add(!header.own_starts.empty(),
+      column_of({"psi", "initial angle of the rotor", Dimension::angle}, &StartArrays::psi));
+  add(!header.drawn.empty(), column_of({"drawn", "uncertain values that the start drew, each in uncertain_unit"},
+                                       &StartArrays::drawn, header.drawn.size(), "uncertain_value"));
   add(header.method == SamplingMethod::grid,
-      as_given({"weight", "cells of the grid that the start's cell stands for"}, &StartBatch::weight));
-  for (const TransientFigure& f : transient_figures)
-    add(header.transients.has_value(),
-        of_each(f, &StartBatch::rows, [value = f.value](const TransientRow& row) { return row.*value; }));
-  add(true, of_fates({"outcome", outcome_meaning()}, [](const Fate& f) { return code_of(f); }));
-  add(true, of_fates({"decision_time", "study time at which the outcome was known", Dimension::time},
-                     [](const Fate& f) { return f.time; }));
+      column_of({"weight", "cells of the grid that the start's cell stands for"}, &StartArrays::weight));
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) add(header.transients.has_value(), column_of(k));
+  add(true, column_of({"outcome", outcome_meaning()}, &StartArrays::outcome));
+  add(true, column_of({"decision_time", "study time at which the outcome was known", Dimension::time},
+                      &StartArrays::decision_time));
   add(header.driven,
-      of_fates({"mean_speed",
-                "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen",
-                Dimension::speed, "missing where never measured"},
-               [](const Fate& f) { return f.mean_speed; }));
-  add(header.sticks, of_fates({"left_unbalance", "unbalance that is left where dry friction holds the balls",
-                               Dimension::unbalance, "missing where it holds none"},
-                              [](const Fate& f) { return f.unbalance; }));
-  add(header.touches, of_fates({"balls_met", "1 where balls touched before the outcome was known, else 0"},
-                               [](const Fate& f) { return static_cast<signed char>(f.met); }));
-  add(true, of_fates({"decided_by", "grounds on which the outcome was decided"},
-                     [](const Fate& f) { return static_cast<signed char>(f.by); }));
+      column_of({"mean_speed",
+                 "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen",
+                 Dimension::speed, "missing where never measured"},
+                &StartArrays::mean_speed));
+  add(header.sticks, column_of({"left_unbalance", "unbalance that is left where dry friction holds the balls",
+                                Dimension::unbalance, "missing where it holds none"},
+                               &StartArrays::left_unbalance));
+  add(header.touches,
+      column_of({"balls_met", "1 where balls touched before the outcome was known, else 0"}, &StartArrays::balls_met));
+  add(true, column_of({"decided_by", "grounds on which the outcome was decided"}, &StartArrays::decided_by));
   return columns;
 }
 
