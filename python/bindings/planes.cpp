@@ -68,7 +68,7 @@ py::dict arrays_of_map(const BasinSlice& map) {
                   "r_max"_a = array_of(std::vector<float>(map.r_max), shape));
 }
 
-py::object figure(const std::optional<SliceFigure>& f) {
+py::object figure(const std::optional<Estimate>& f) {
   return f ? py::object(py::make_tuple(f->value, f->low, f->high)) : py::none();
 }
 

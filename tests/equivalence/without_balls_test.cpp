@@ -15,7 +15,6 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
-#include "equipoise/machine/mechanics/turning_inertia.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
@@ -138,7 +137,7 @@ TEST(WithoutBalls, ForcedVibrationIsWhatTrajectoriesComeTo) {
   const std::string text = with(rotor_and_balancer + short_ramp, "damping = 0.5",
                                 "damping = [0.3, 0.2]\nstiffness = [1.3, 0.8]\ngravity = 0.02");
   const Study study = weightless(text);
-  const model::ForcedVibration f = model::forced_vibration(study.parameters, 0.01, 3.0);
+  const model::MotionFigures f = model::forced_vibration(study.parameters, 0.01, 3.0);
   std::vector<double> times;
   constexpr int each = 2000, turns = 4;
   for (int k = 0; k <= turns * each; ++k) times.push_back(400.0 + 2.0 * 3.14159265358979 / 3.0 * k / each);

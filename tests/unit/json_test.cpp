@@ -28,7 +28,7 @@ TEST(JsonOfResults, TellsSharesAndEstimatesByTheirMembers) {
   EXPECT_EQ(sure(share)["most"], share.most);
   EXPECT_GT(share.most, share.high);
   EXPECT_EQ(Json(QuantileEstimate{2.0, 1.0, 3.0}).dump(), R"({"value":2.0,"low":1.0,"high":3.0})");
-  EXPECT_EQ(Json(std::optional<SliceFigure>()).dump(), "null");
+  EXPECT_EQ(Json(std::optional<Estimate>()).dump(), "null");
   EXPECT_EQ(outcome_with({3, "apart", "V2"}, share)["name"], "apart");
   EXPECT_EQ(outcome_with({3, "apart", "V2"}, share)["count"], 1);
 }

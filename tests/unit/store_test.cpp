@@ -21,7 +21,6 @@
 #include "equipoise/results/io/journal.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise {

@@ -35,7 +35,7 @@ struct ScalePoint {
 };
 
 // Slope of log count over log scale, with the interval of the fitted line. Empty for fewer than four scales.
-std::optional<SliceFigure> slope(const std::vector<ScalePoint>& points) {
+std::optional<Estimate> slope(const std::vector<ScalePoint>& points) {
   constexpr std::size_t fewest = 4;
   const double n = static_cast<double>(points.size());
   if (points.size() < fewest) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<SliceFigure> slope(const std::vector<ScalePoint>& points) {
     rest += d * d;
   }
   const double half = students_t_half_width(n - 2.0, confidence) * std::sqrt(rest / (n - 2.0) / xx);
-  return SliceFigure{value, value - half, value + half};
+  return Estimate{value, value - half, value + half};
 }
 
 // Scales from one pixel to an eighth of the shorter side: larger ones are affected by the edges.
@@ -65,7 +65,7 @@ std::vector<int> figure_scales(int columns, int rows) {
   return result;
 }
 
-std::optional<SliceFigure> mean(const std::map<double, std::uint64_t>& values) {
+std::optional<Estimate> mean(const std::map<double, std::uint64_t>& values) {
   constexpr double fewest = 16.0;
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const auto& [value, count] : values) {
@@ -76,7 +76,7 @@ std::optional<SliceFigure> mean(const std::map<double, std::uint64_t>& values) {
   for (const auto& [value, count] : values)
     squares += static_cast<double>(count) * (value - sum / n) * (value - sum / n);
   const double half = normal_half_width(confidence) * std::sqrt(squares / (n - 1.0) / n);
-  return SliceFigure{sum / n, sum / n - half, sum / n + half};
+  return Estimate{sum / n, sum / n - half, sum / n + half};
 }
 
 // Balanced angles in a slice over both angles of two balls, as (x, y).

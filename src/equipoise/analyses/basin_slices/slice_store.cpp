@@ -90,7 +90,7 @@ void SliceStore::read_rows(int first, int rows, SlicePixel* pixels) const {
       pixels[k].*member = static_cast<std::remove_reference_t<decltype(pixels[k].*member)>>(values[k]);
   };
   read_into(0, &SlicePixel::code);
-  visit_pixel_numbers(header_.one_rotor, [&](std::size_t k, float SlicePixel::*value) { read_into(1 + k, value); });
+  visit_pixel_numbers(header_.one_rotor, [&](std::size_t k, const PixelNumber& n) { read_into(1 + k, n.value); });
 }
 
 void SliceStore::finish(const std::vector<OutcomeShare>& codes, const std::map<short, OutcomeShare>& seen,

@@ -11,7 +11,7 @@
 #include "equipoise/analyses/basin_slices/pixel_store.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 #include "equipoise/results/io/row_store.hpp"
-#include "equipoise/results/result_files/slice_netcdf.hpp"
+#include "equipoise/results/result_files/slice_file.hpp"
 
 namespace equipoise {
 

@@ -14,7 +14,7 @@
 #include "equipoise/classification/attractor_search/search.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
-#include "equipoise/machine/datasheet/stock_balls.hpp"
+#include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/units/units.hpp"
 

@@ -12,7 +12,7 @@
 #include "equipoise/analyses/design/problem.hpp"
 #include "equipoise/analyses/design/settings.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
-#include "equipoise/machine/datasheet/stock_balls.hpp"
+#include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/units/units.hpp"

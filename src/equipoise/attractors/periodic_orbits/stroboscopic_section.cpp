@@ -10,7 +10,6 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/mechanics/sag_shift.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 
 namespace equipoise {
@@ -26,10 +25,18 @@ model::System weakened(const model::System& system, double share) {
 // A driven rotor's angle must stay part of the state, so this much is left when gravity and anisotropy are off.
 double least_share(const model::System& system) { return system.prescribed() ? 0.0 : 1e-6; }
 
+// Shifts the centre of a state at rotor angle `psi`: it keeps its distance from the rest position, now that of `to`
+// instead of `from`. A soft rotor sags by more than it ever vibrates.
+void shift_to_rest(const model::Parameters& from, const model::Parameters& to, double psi, double* state) {
+  const auto before = model::rest_position(from, psi), after = model::rest_position(to, psi);
+  state[model::index::x] += after[0] - before[0];
+  state[model::index::y] += after[1] - before[1];
+}
+
 // Converts states from one share of gravity and anisotropy to another.
 std::vector<VectorXd> hung_anew(const model::System& from, const model::System& to, std::vector<VectorXd> states) {
   for (VectorXd& z : states)
-    model::hang_anew(from.parameters(), to.parameters(), to.layout().psi < 0 ? 0.0 : z[to.layout().psi], z.data());
+    shift_to_rest(from.parameters(), to.parameters(), to.layout().psi < 0 ? 0.0 : z[to.layout().psi], z.data());
   return states;
 }
 

@@ -7,15 +7,15 @@
 #include <map>
 #include <vector>
 
+#include "equipoise/core/statistics/share.hpp"
+
 namespace equipoise {
 
 /// Quantiles shown in results.
 inline constexpr std::array<double, 3> reported_quantiles{0.5, 0.9, 0.99};
 
-/// A quantile with its interval; with too few starts `low` is 0 or `high` is infinite.
-struct QuantileEstimate {
-  double value = 0.0, low = 0.0, high = 0.0;
-};
+/// With too few starts `low` is 0 or `high` is infinite.
+using QuantileEstimate = Estimate;
 
 /// Ranks l and u, counted from 1, of `count` independent values in order. The quantile of `probability` lies between
 /// them with at least `confidence`, whatever the distribution. The number K of values at or below it is at most

@@ -7,6 +7,11 @@
 
 namespace equipoise {
 
+/// A number with its 95 % interval.
+struct Estimate {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
 /// Where an interval comes from.
 enum class IntervalBy {
   wilson,      ///< the binomial law

@@ -51,7 +51,7 @@ struct Sums {
   double total(std::size_t k) const { return 0.5 * differences[k] / weight / variance(); }
 };
 
-void set_interval(IndexEstimate& estimate, std::vector<double>& samples) {
+void set_interval(Estimate& estimate, std::vector<double>& samples) {
   const auto nth = [&](double part) {
     const auto at = samples.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(samples.size() - 1));
     std::nth_element(samples.begin(), at, samples.end());

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "equipoise/core/statistics/share.hpp"
+
 namespace equipoise {
 
 /// Outcomes in rows of `inputs` + 2: for a draw a of all inputs, a draw b, and a with one input at a time from b.
@@ -18,15 +20,10 @@ struct PickFreezeRows {
   double mixed(std::size_t row, std::size_t input) const { return outcomes[row * (inputs + 2) + 2 + input]; }
 };
 
-/// An estimate with its 95 % interval.
-struct IndexEstimate {
-  double value = 0.0, low = 0.0, high = 0.0;
-};
-
 /// first: the part of the outcome's variance that knowing one input removes on average. total: the part that is left
 /// when all others are known.
 struct SobolIndices {
-  IndexEstimate first, total;
+  Estimate first, total;
 };
 
 /// First order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob. Stat. 18 (2014) 342), with the

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/machine/drives/torque_curve.hpp"
+#include "equipoise/machine/drives/motor.hpp"
 
 namespace equipoise::model {
 

@@ -7,60 +7,27 @@ namespace equipoise::model {
 
 namespace {
 
-bool offers(const System& system, Need need) {
-  const Parameters& p = system.parameters();
-  switch (need) {
-    case Need::prescribed_speed:
-      return system.prescribed();
-    case Need::passing_balls:
-      return !system.events().contact;
-    case Need::sliding_balls:
-      return !system.events().stick;
-    case Need::centred_race:
-      return p.race_is_centred();
-    case Need::equal_supports:
-      return p.isotropic();
-    case Need::no_gravity:
-      return p.gravity == 0.0;
-    case Need::no_tilt:
-      return !system.tilts();
-    case Need::turning:
-      return system.section() != Section::stroboscopic || system.speed() != 0.0;
-    case Need::linear_torque:
-      return system.prescribed() || system.drive().motor.is_linear();
-    default:
-      return !system.coasts();
-  }
-}
-
-}  // namespace
-
-const char* words(Need need) {
-  switch (need) {
-    case Need::prescribed_speed:
-      return "a prescribed speed";
-    case Need::passing_balls:
-      return "balls that pass each other, 0 or contact = false";
-    case Need::sliding_balls:
-      return "balls without rolling resistance or stiction, 0";
-    case Need::centred_race:
-      return "a centred race, [0, 0]";
-    case Need::equal_supports:
-      return "equal values in x and y";
-    case Need::no_gravity:
-      return "gravity 0";
-    case Need::no_tilt:
-      return "a rotor that does not tilt, without rotor.tilt";
-    case Need::turning:
-      return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
-    case Need::linear_torque:
-      return "a motor whose torque is linear in the speed, without a load";
-    default:
-      return "a drive that lasts";
-  }
-}
-
-namespace {
+struct NeedLine {
+  Need need;
+  const char* words;
+  bool (*met)(const System&);
+};
+constexpr std::array<NeedLine, 10> need_lines{{
+    {Need::prescribed_speed, "a prescribed speed", [](const System& s) { return s.prescribed(); }},
+    {Need::passing_balls, "balls that pass each other, 0 or contact = false",
+     [](const System& s) { return !s.events().contact; }},
+    {Need::sliding_balls, "balls without rolling resistance or stiction, 0",
+     [](const System& s) { return !s.events().stick; }},
+    {Need::centred_race, "a centred race, [0, 0]", [](const System& s) { return s.parameters().race_is_centred(); }},
+    {Need::equal_supports, "equal values in x and y", [](const System& s) { return s.parameters().isotropic(); }},
+    {Need::no_gravity, "gravity 0", [](const System& s) { return s.parameters().gravity == 0.0; }},
+    {Need::no_tilt, "a rotor that does not tilt, without rotor.tilt", [](const System& s) { return !s.tilts(); }},
+    {Need::turning, "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts",
+     [](const System& s) { return s.section() != Section::stroboscopic || s.speed() != 0.0; }},
+    {Need::lasting_drive, "a drive that lasts", [](const System& s) { return !s.coasts(); }},
+    {Need::linear_torque, "a motor whose torque is linear in the speed, without a load",
+     [](const System& s) { return s.prescribed() || s.drive().motor.is_linear(); }},
+}};
 
 // "simulate, basin and attractors": the commands that do not have this need.
 std::string commands_without(Need need) {
@@ -77,12 +44,14 @@ std::string commands_without(Need need) {
 
 }  // namespace
 
+const char* words(Need need) { return need_lines[static_cast<std::size_t>(need)].words; }
+
 std::optional<Lack> lacking(const System& system, ResultKind result) {
   const Capability& asked = capability(result);
-  for (const Need need : all_needs) {
-    if (!asked.needs.has(need) || offers(system, need)) continue;
+  for (const auto& [need, words, met] : need_lines) {
+    if (!asked.needs.has(need) || met(system)) continue;
     const std::string others = commands_without(need);
-    return Lack{need, std::string(asked.name) + " need " + words(need) + " (" + others +
+    return Lack{need, std::string(asked.name) + " need " + words + " (" + others +
                           (others.find(" and ") == std::string::npos ? " takes any)" : " take any)")};
   }
   return std::nullopt;

@@ -69,7 +69,7 @@ double shaking_torque(const Parameters& p, double unbalance, double speed) {
   return 0.5 * unbalance * unbalance * std::pow(speed, 5) * sum;
 }
 
-ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed) {
+MotionFigures forced_vibration(const Parameters& p, double unbalance, double speed) {
   const double mass = 1.0 + p.total_mass(), weight = total_weight(p);
   Vector centre, force;
   for (std::size_t d = 0; d < 2; ++d) {
@@ -82,15 +82,16 @@ ForcedVibration forced_vibration(const Parameters& p, double unbalance, double s
           longest(force, -weight),
           std::sqrt(0.5 * squares(force) + weight * weight),
           std::fabs(speed) * std::sqrt(0.5 * squares(centre)),
+          unbalance,
           longest(force),
           std::sqrt(0.5 * squares(force)),
           std::fabs(speed) * std::sqrt(0.5) * std::max(std::abs(centre[0]), std::abs(centre[1]))};
 }
 
-ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 const std::vector<Bearing>& bearings, double speed) {
+MotionFigures forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
+                               const std::vector<Bearing>& bearings, double speed) {
   const ShaftVibration v = shaft_vibration(p, speed, phi);
-  ForcedVibration result;
+  MotionFigures result;
   const auto carries = [&](const Vector& force, double weight) {
     result.peak_force = std::max(result.peak_force, longest(force, -weight));
     result.rms_force = std::max(result.rms_force, std::sqrt(0.5 * squares(force) + weight * weight));

@@ -24,22 +24,28 @@ double quiet_speed(const Parameters& p);
 /// balls are held. Infinite at an undamped critical speed.
 double shaking_torque(const Parameters& p, double unbalance, double speed);
 
-/// The steady motion of one body at constant speed.
-struct ForcedVibration {
+/// Figures of a steady motion. All zero: exact balance.
+struct MotionFigures {
   double radial = 0.0;      ///< largest distance of the centre from where the rotor rests under its weight
   double peak_force = 0.0;  ///< largest bearing force, the weight included
   double rms_force = 0.0;   ///< the weight included
   double rms_velocity = 0.0;
+  double unbalance = 0.0;                        ///< size of the mean
   double peak_dynamic = 0.0, rms_dynamic = 0.0;  ///< bearing force without the weight
   double rms_one_direction = 0.0;                ///< velocity in X or Y, whichever has more
 };
 
 /// Of one body with this unbalance at constant `speed`. With damping in both directions it comes to no other motion.
-ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed);
+MotionFigures forced_vibration(const Parameters& p, double unbalance, double speed);
 
 /// The same of a rotor that tilts with its balls held at `phi`, at the worse of these places along its shaft. The force
 /// is that of the bearing that takes most, or without `bearings` that of all supports together.
-ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 const std::vector<Bearing>& bearings, double speed);
+MotionFigures forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
+                               const std::vector<Bearing>& bearings, double speed);
+
+/// About the axis, in M R^2; p.inertia is about the centre of mass.
+inline double turning_inertia(const Parameters& p) {
+  return p.inertia + p.eccentricity * p.eccentricity + p.total_mass();
+}
 
 }  // namespace equipoise::model

@@ -13,8 +13,9 @@ namespace {
 
 using Matrix4 = Eigen::Matrix4d;
 
-// Of the supports, for X, Y and the slopes along them.
-Matrix4 support(const std::array<double, 2>& of_centre, const std::array<std::array<double, 2>, 2>& of_tilt) {
+// Of supports or inertia, for X, Y and the slopes along them.
+Matrix4 of_centre_and_tilt(const std::array<double, 2>& of_centre,
+                           const std::array<std::array<double, 2>, 2>& of_tilt) {
   Matrix4 all = Matrix4::Zero();
   for (int d = 0; d < 2; ++d) {
     const auto i = static_cast<std::size_t>(d);
@@ -35,6 +36,11 @@ std::array<double, 3> inertias(const Parameters& p, bool with_balls) {
   return sums;
 }
 
+// Without gyroscopic moments, from these sums.
+Eigen::MatrixXd inertia_matrix(const std::array<double, 3>& m) {
+  return of_centre_and_tilt({m[0], m[0]}, {{{m[1], m[2]}, {m[1], m[2]}}});
+}
+
 // Of equal supports. `polar`: Jp of forward whirl, -Jp of backward whirl. Inertia v = (1/speed^2) stiffness v.
 std::vector<double> circular(const Parameters& p, const std::array<double, 3>& m, double polar) {
   const double k11 = p.stiffness[0], k12 = p.tilt.stiffness[0][0], k22 = p.tilt.stiffness[0][1];
@@ -53,14 +59,9 @@ std::vector<double> circular(const Parameters& p, const std::array<double, 3>& m
 std::vector<double> all_whirl_speeds(const Parameters& p, bool with_balls) {
   // With Y a quarter of a turn behind X all is real: stiffness times v is speed^2 times inertia times v.
   const std::array<double, 3> m = inertias(p, with_balls);
-  Eigen::MatrixXd inertia = Matrix4::Zero();
-  for (int d = 0; d < 2; ++d) {
-    inertia(d, d) = m[0];
-    inertia(d, 2 + d) = inertia(2 + d, d) = m[1];
-    inertia(2 + d, 2 + d) = m[2];
-  }
+  Eigen::MatrixXd inertia = inertia_matrix(m);
   inertia(2, 3) = inertia(3, 2) = -p.tilt.polar_inertia;
-  const Eigen::MatrixXd stiffness = support(p.stiffness, p.tilt.stiffness);
+  const Eigen::MatrixXd stiffness = of_centre_and_tilt(p.stiffness, p.tilt.stiffness);
   const Eigen::VectorXcd inverse_squares = dense::eigenvalues(dense::inverse(stiffness) * inertia);
   std::vector<double> speeds;
   const double nothing = 1e-13 * inverse_squares.cwiseAbs().maxCoeff();
@@ -93,18 +94,13 @@ double ShaftVibration::farthest(double place) const {
 
 double slowest_decay(const Parameters& p, double speed) {
   const std::array<double, 3> m = inertias(p, true);
-  Eigen::MatrixXd inertia = Matrix4::Zero(), dampers = support(p.damping, p.tilt.damping);
-  for (int d = 0; d < 2; ++d) {
-    inertia(d, d) = m[0];
-    inertia(d, 2 + d) = inertia(2 + d, d) = m[1];
-    inertia(2 + d, 2 + d) = m[2];
-  }
+  Eigen::MatrixXd dampers = of_centre_and_tilt(p.damping, p.tilt.damping);
   dampers(2, 3) += speed * p.tilt.polar_inertia;  // gyroscopic
   dampers(3, 2) -= speed * p.tilt.polar_inertia;
-  const Eigen::MatrixXd inverse = dense::inverse(inertia);
+  const Eigen::MatrixXd inverse = dense::inverse(inertia_matrix(m));
   Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(8, 8);
   rates.topRightCorner(4, 4).setIdentity();
-  rates.bottomLeftCorner(4, 4) = -inverse * support(p.stiffness, p.tilt.stiffness);
+  rates.bottomLeftCorner(4, 4) = -inverse * of_centre_and_tilt(p.stiffness, p.tilt.stiffness);
   rates.bottomRightCorner(4, 4) = -inverse * dampers;
   return -dense::eigenvalues(rates).real().maxCoeff();
 }
@@ -113,8 +109,9 @@ ShaftVibration shaft_vibration(const Parameters& p, double speed, const double* 
   using Amplitude = ShaftVibration::Amplitude;
   const double w2 = speed * speed, jp = p.tilt.polar_inertia;
   const std::array<double, 3> m = inertias(p, held != nullptr);
-  const Eigen::MatrixXcd supports = support(p.stiffness, p.tilt.stiffness).cast<Amplitude>() +
-                                    Amplitude(0.0, speed) * support(p.damping, p.tilt.damping).cast<Amplitude>();
+  const Eigen::MatrixXcd supports =
+      of_centre_and_tilt(p.stiffness, p.tilt.stiffness).cast<Amplitude>() +
+      Amplitude(0.0, speed) * of_centre_and_tilt(p.damping, p.tilt.damping).cast<Amplitude>();
   Eigen::MatrixXcd a = supports;
   a.diagonal() -= Amplitude(w2) * Eigen::Vector4cd(m[0], m[0], m[2], m[2]);
   for (int d = 0; d < 2; ++d) {

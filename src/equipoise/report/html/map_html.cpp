@@ -60,7 +60,7 @@ class MapDocument {
   void figures() {
     const SliceFigures& f = map_.figures;
     DocumentTable table{{"how basins lie in each other", "", "95 % interval"}};
-    const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
+    const auto row = [&](const char* name, const std::optional<Estimate>& figure) {
       if (figure)
         table.rows.push_back({{name},
                               number_cell(fmt::format("{:.3f}", figure->value)),

@@ -25,7 +25,7 @@ std::string axis_text(const char* letter, const SliceAxis& a, int every) {
                      every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
 }
 
-std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
+std::string figure_text(const char* name, const std::optional<Estimate>& f) {
   return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
 }
 

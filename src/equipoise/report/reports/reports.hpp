@@ -13,7 +13,7 @@
 #include "equipoise/results/commands/capacity_result.hpp"
 #include "equipoise/results/commands/comparison_result.hpp"
 #include "equipoise/results/commands/design_result.hpp"
-#include "equipoise/results/commands/inspection.hpp"
+#include "equipoise/results/result_files/inspection.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 
 namespace equipoise {

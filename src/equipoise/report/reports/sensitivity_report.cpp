@@ -35,7 +35,7 @@ std::string distribution_text(const UncertainValue& v) {
   return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
 }
 
-std::string range_text(const IndexEstimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
+std::string range_text(const Estimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
 
 }  // namespace
 

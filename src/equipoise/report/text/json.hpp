@@ -87,15 +87,7 @@ Json extremes(Number least, Number mean, Number most) {
   return object("min", least, "mean", mean, "max", most);
 }
 
-/// An estimate with its interval and nothing else.
-template <class T>
-concept WithInterval = sizeof(T) == 3 * sizeof(double) && requires(const T& e) {
-  { e.value } -> std::convertible_to<double>;
-  { e.low } -> std::convertible_to<double>;
-  { e.high } -> std::convertible_to<double>;
-};
-template <WithInterval T>
-void to_json(Json& json, const T& e) {
+inline void to_json(Json& json, const Estimate& e) {
   json = object("value", e.value, "low", e.low, "high", e.high);
 }
 inline void to_json(Json& json, const ShareDifference& d) {

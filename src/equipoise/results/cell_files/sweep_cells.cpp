@@ -2,8 +2,6 @@
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -24,9 +22,9 @@ void named_members(Record& r, T& s) {
   r("error", s.standard_error, "effective", s.effective_starts, "least", s.least, "most", s.most);
 }
 
-template <class Record, Like<QuantileEstimate> T>
-void named_members(Record& r, T& q) {
-  r("value", q.value, "low", q.low, "high", q.high);
+template <class Record, Like<Estimate> T>
+void named_members(Record& r, T& e) {
+  r("value", e.value, "low", e.low, "high", e.high);
 }
 
 template <class Record, Like<SampleSummary> T>
@@ -78,7 +76,6 @@ void named_members(Record& r, T& k) {
 
 namespace {
 
-constexpr char no_number[] = "is no number";
 constexpr char wrong_length[] = "has {} entries instead of {}";
 
 using Json = nlohmann::json;
@@ -94,11 +91,6 @@ inline constexpr bool is_shared = false;
 template <class T>
 inline constexpr bool is_shared<std::shared_ptr<T>> = true;
 
-// For designs. Infinite values are written as words, because JSON has no number for them.
-Json number_json(double v) {
-  if (std::isnan(v)) return nullptr;
-  return std::isfinite(v) ? Json(v) : Json(v > 0.0 ? "inf" : "-inf");
-}
 class RecordOut {
  public:
   template <class T, class... More>
@@ -117,8 +109,6 @@ class RecordOut {
       return list;
     } else if constexpr (std::is_enum_v<T>) {
       return static_cast<int>(value);
-    } else if constexpr (std::is_same_v<T, DesignEstimate>) {
-      return {number_json(value.value), number_json(value.low), number_json(value.high)};
     } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
       return value;
     } else {
@@ -136,14 +126,6 @@ class RecordOut {
 struct Unreadable {
   std::string place, problem;
 };
-
-double number_from(const Json& j, const std::string& place) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (j.is_number()) return j.get<double>();
-  if (j == "inf" || j == "-inf") return j == "inf" ? infinite : -infinite;
-  throw Unreadable{place, no_number};
-}
 
 std::string inside(const std::string& place, const char* member) {
   return place.empty() ? member : place + "." + member;
@@ -192,9 +174,6 @@ class RecordIn {
       value = display_lines(json.get_ref<const std::string&>());
     } else if constexpr (is_list<T>) {
       decode_list(json, value, place);
-    } else if constexpr (std::is_same_v<T, DesignEstimate>) {
-      if (!json.is_array() || json.size() != 3) throw Unreadable{place, no_number};
-      value = {number_from(json[0], place), number_from(json[1], place), number_from(json[2], place)};
     } else if constexpr (std::is_enum_v<T>) {
       int number = 0;
       decode(json, number, place);
@@ -206,7 +185,7 @@ class RecordIn {
     } else if constexpr (std::is_integral_v<T>) {
       decode_integer(json, value, place);
     } else if constexpr (std::is_arithmetic_v<T>) {
-      if (!json.is_number()) throw Unreadable{place, no_number};
+      if (!json.is_number()) throw Unreadable{place, "is no number"};
       value = json.get<T>();
     } else {
       RecordIn record(json, place);

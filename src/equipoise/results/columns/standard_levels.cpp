@@ -1,5 +1,5 @@
 // From a study's [standards] to levels in its own units.
-#include "equipoise/results/columns/standard_levels.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
 
 #include <cmath>
 

@@ -39,10 +39,7 @@ BasinSlice thinned(const BasinSlice& map, int most) {
         kept.push_back(values[map.at(column, row)]);
   };
   thin(map.code, result.code);
-  thin(map.time, result.time);
-  thin(map.r_max, result.r_max);
-  thin(map.balance_margin, result.balance_margin);
-  thin(map.balance_growth, result.balance_growth);
+  for (const PixelNumber& n : pixel_numbers) thin(map.*n.all, result.*n.all);
   result.codes = map.codes;
   result.figures = map.figures;
   result.complete = map.complete;

@@ -47,36 +47,6 @@ struct SlicePixel {
   float balance_margin = time, balance_growth = time;    ///< as in BasinSlice, where they differ between pixels
 };
 
-/// The numbers of a pixel, as files name them.
-struct PixelNumber : Column {
-  float SlicePixel::*value;
-  bool of_rotor;  ///< the same at all pixels that share a rotor
-};
-inline constexpr std::array<PixelNumber, 4> pixel_numbers{{
-    {{"decision_time", "study time at which the outcome was known", study::Dimension::time}, &SlicePixel::time, false},
-    {{"r_max", "largest distance of the rotor's centre from the axis on the final motion", study::Dimension::length},
-     &SlicePixel::r_max,
-     false},
-    {{"balance_margin", "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
-     &SlicePixel::balance_margin,
-     true},
-    {{"balance_growth", "largest real part of an eigenvalue at the balanced state", study::Dimension::speed,
-      "stable where negative"},
-     &SlicePixel::balance_growth,
-     true},
-}};
-/// visit(k, number) for those that differ from pixel to pixel.
-template <class Visit>
-void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
-  for (std::size_t k = 0; k < pixel_numbers.size(); ++k)
-    if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k].value);
-}
-
-/// With a 95 % interval.
-struct SliceFigure {
-  double value = 0.0, low = 0.0, high = 0.0;
-};
-
 /// The uncertainty exponent between two distances.
 struct LocalExponent {
   int from = 1, to = 2;  ///< pixels
@@ -86,15 +56,15 @@ struct LocalExponent {
 /// Each is empty if the slice does not show it: no boundary, or too few pixels. Distances in the plane are in pixels.
 struct SliceFigures {
   /// Of the boundary, by box counting: 1 if smooth, 2 if it fills the plane.
-  std::optional<SliceFigure> box_dimension;
+  std::optional<Estimate> box_dimension;
   /// The share of pixels with another outcome at distance e grows as e to this power: what more accurate starts gain in
   /// certainty. It is 2 minus the dimension (McDonald, Grebogi, Ott and Yorke, Physica D 17 (1985) 125).
-  std::optional<SliceFigure> uncertainty_exponent;
+  std::optional<Estimate> uncertainty_exponent;
   /// The same from each distance to the next: where these differ by more than the interval, no one power holds.
   std::vector<LocalExponent> local_exponents;
   /// Mean entropy of outcomes in boxes of 5 x 5 pixels: all, and those with several outcomes. Above log 2 the latter
   /// indicates a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6 (2016) 31416).
-  std::optional<SliceFigure> basin_entropy, boundary_basin_entropy;
+  std::optional<Estimate> basin_entropy, boundary_basin_entropy;
   /// For two balls over both angles: largest distance (rad) from balanced angles within which every pixel is balanced.
   std::optional<double> balanced_radius;
 };
@@ -131,6 +101,38 @@ struct BasinSlice {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);
   }
 };
+
+/// The numbers of a pixel, as files name them.
+struct PixelNumber : Column {
+  float SlicePixel::*value;
+  std::vector<float> BasinSlice::*all;  ///< of every pixel, or of the rotor
+  bool of_rotor;                        ///< the same at all pixels that share a rotor
+};
+inline constexpr std::array<PixelNumber, 4> pixel_numbers{{
+    {{"decision_time", "study time at which the outcome was known", study::Dimension::time},
+     &SlicePixel::time,
+     &BasinSlice::time,
+     false},
+    {{"r_max", "largest distance of the rotor's centre from the axis on the final motion", study::Dimension::length},
+     &SlicePixel::r_max,
+     &BasinSlice::r_max,
+     false},
+    {{"balance_margin", "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
+     &SlicePixel::balance_margin,
+     &BasinSlice::balance_margin,
+     true},
+    {{"balance_growth", "largest real part of an eigenvalue at the balanced state", study::Dimension::speed,
+      "stable where negative"},
+     &SlicePixel::balance_growth,
+     &BasinSlice::balance_growth,
+     true},
+}};
+/// visit(k, number) for those that differ from pixel to pixel.
+template <class Visit>
+void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
+  for (std::size_t k = 0; k < pixel_numbers.size(); ++k)
+    if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k]);
+}
 
 /// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: if both axes are
 /// parameters and the study does not say where the balls start. One start for all would represent no other.

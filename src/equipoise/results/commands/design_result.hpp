@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/statistics/share.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/toml/study_value.hpp"
@@ -40,10 +41,8 @@ struct DesignFigure {
   bool share = false;
 };
 
-/// A figure with its 95 % interval; without random draws both ends equal the value.
-struct DesignEstimate {
-  double value = 0.0, low = 0.0, high = 0.0;
-};
+/// Without random draws both ends equal the value.
+using DesignEstimate = Estimate;
 
 /// [design.require]: must hold with 95 % confidence.
 struct DesignLimit {

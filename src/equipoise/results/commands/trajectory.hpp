@@ -43,47 +43,37 @@ struct TrajectoryColumn : Column {
     return of == Of::tilt ? run.tilts : of != Of::bearing || !(run.*each).empty();
   }
 };
-inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
-    {{"t", "time", study::Dimension::time}, &Trajectory::t},
-    {{"psi", "rotor angle", study::Dimension::angle}, &Trajectory::psi},
-    {{"psi_dot", "rotor speed", study::Dimension::speed}, &Trajectory::psi_dot},
-    {{"x", "centre of the race along the rotating x axis", study::Dimension::length}, &Trajectory::x},
-    {{"y", "centre of the race along the rotating y axis", study::Dimension::length}, &Trajectory::y},
-    {{"x_dot", "rotating-frame derivative of x", study::Dimension::velocity}, &Trajectory::x_dot},
-    {{"y_dot", "rotating-frame derivative of y", study::Dimension::velocity}, &Trajectory::y_dot},
-    {{"tilt_x", "slope of the shaft along the rotating x axis", study::Dimension::angle},
-     &Trajectory::tilt_x,
-     TrajectoryColumn::Of::tilt},
-    {{"tilt_y", "slope of the shaft along the rotating y axis", study::Dimension::angle},
-     &Trajectory::tilt_y,
-     TrajectoryColumn::Of::tilt},
-    {{"tilt_x_dot", "rotating-frame derivative of tilt_x", study::Dimension::speed},
-     &Trajectory::tilt_x_dot,
-     TrajectoryColumn::Of::tilt},
-    {{"tilt_y_dot", "rotating-frame derivative of tilt_y", study::Dimension::speed},
-     &Trajectory::tilt_y_dot,
-     TrajectoryColumn::Of::tilt},
-    {{"phi", "ball angle in the rotating frame, not wrapped", study::Dimension::angle},
-     nullptr,
-     TrajectoryColumn::Of::ball,
-     &Trajectory::phi},
-    {{"phi_dot", "rate of the ball angle", study::Dimension::speed},
-     nullptr,
-     TrajectoryColumn::Of::ball,
-     &Trajectory::phi_dot},
-    {{"radial", "displacement from the place of rest under gravity", study::Dimension::length}, &Trajectory::radial},
-    {{"bearing_x", "force on the supports along the fixed X axis", study::Dimension::force}, &Trajectory::bearing_x},
-    {{"bearing_y", "force on the supports along the fixed Y axis, the weight included", study::Dimension::force},
-     &Trajectory::bearing_y},
-    {{"bearing_radial", "displacement at a bearing from its place of rest under gravity", study::Dimension::length},
-     nullptr,
-     TrajectoryColumn::Of::bearing,
-     &Trajectory::bearing_radial},
-    {{"bearing_force", "size of the force on a bearing, the weight included", study::Dimension::force},
-     nullptr,
-     TrajectoryColumn::Of::bearing,
-     &Trajectory::bearing_force},
-});
+inline constexpr auto trajectory_columns = [] {
+  using T = Trajectory;
+  using Of = TrajectoryColumn::Of;
+  using enum study::Dimension;
+  return std::to_array<TrajectoryColumn>({
+      {{"t", "time", time}, &T::t},
+      {{"psi", "rotor angle", angle}, &T::psi},
+      {{"psi_dot", "rotor speed", speed}, &T::psi_dot},
+      {{"x", "centre of the race along the rotating x axis", length}, &T::x},
+      {{"y", "centre of the race along the rotating y axis", length}, &T::y},
+      {{"x_dot", "rotating-frame derivative of x", velocity}, &T::x_dot},
+      {{"y_dot", "rotating-frame derivative of y", velocity}, &T::y_dot},
+      {{"tilt_x", "slope of the shaft along the rotating x axis", angle}, &T::tilt_x, Of::tilt},
+      {{"tilt_y", "slope of the shaft along the rotating y axis", angle}, &T::tilt_y, Of::tilt},
+      {{"tilt_x_dot", "rotating-frame derivative of tilt_x", speed}, &T::tilt_x_dot, Of::tilt},
+      {{"tilt_y_dot", "rotating-frame derivative of tilt_y", speed}, &T::tilt_y_dot, Of::tilt},
+      {{"phi", "ball angle in the rotating frame, not wrapped", angle}, nullptr, Of::ball, &T::phi},
+      {{"phi_dot", "rate of the ball angle", speed}, nullptr, Of::ball, &T::phi_dot},
+      {{"radial", "displacement from the place of rest under gravity", length}, &T::radial},
+      {{"bearing_x", "force on the supports along the fixed X axis", force}, &T::bearing_x},
+      {{"bearing_y", "force on the supports along the fixed Y axis, the weight included", force}, &T::bearing_y},
+      {{"bearing_radial", "displacement at a bearing from its place of rest under gravity", length},
+       nullptr,
+       Of::bearing,
+       &T::bearing_radial},
+      {{"bearing_force", "size of the force on a bearing, the weight included", force},
+       nullptr,
+       Of::bearing,
+       &T::bearing_force},
+  });
+}();
 
 /// One word for people's programs.
 constexpr const char* name_of(IntegrationStatus status) {

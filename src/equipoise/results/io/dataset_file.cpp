@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
 
 namespace equipoise::io {
 

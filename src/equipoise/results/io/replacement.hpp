@@ -41,4 +41,11 @@ class Replacement {
 /// Writes `text` to `path` by a Replacement. Throws RunError.
 void write_whole(const std::string& path, const std::string& text);
 
+/// Seals a file: it ends with its own checksum, so that damage is found before the content is used. Throws RunError,
+/// naming `name`, if the file cannot take it.
+void seal(const std::string& path, const std::string& name);
+
+/// What is wrong with a sealed file, in words that follow its name; empty if nothing is.
+std::string why_not_whole(const std::string& path);
+
 }  // namespace equipoise::io

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 
 namespace equipoise::io {

@@ -13,7 +13,7 @@
 
 namespace equipoise::io {
 
-/// Results of one identity, kept in two files. The finished results, `path`, are NetCDF, sealed (sealed_file.hpp) and
+/// Results of one identity, kept in two files. The finished results, `path`, are NetCDF, sealed (replacement.hpp) and
 /// always written whole. During a run, the journal `path`.part holds what is new: a run that is killed loses a second's
 /// work. It also holds the search log. Only one run at a time may use a store.
 class Store {

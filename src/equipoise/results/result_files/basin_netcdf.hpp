@@ -21,7 +21,7 @@ struct BasinContents : BasinEnd {
   std::vector<std::string> cpu_targets;
 };
 
-/// Replaces `path`, sealed (sealed_file.hpp). Throws RunError, with the old file as it was.
+/// Replaces `path`, sealed (replacement.hpp). Throws RunError, with the old file as it was.
 void write_basin_netcdf(const std::string& path, const BasinContents& contents);
 
 }  // namespace equipoise::io

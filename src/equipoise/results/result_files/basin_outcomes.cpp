@@ -9,7 +9,7 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/results/types/words.hpp"
 

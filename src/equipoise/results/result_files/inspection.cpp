@@ -17,7 +17,7 @@
 #include "equipoise/core/base/read_file.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/journal.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 

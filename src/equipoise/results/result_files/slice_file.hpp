@@ -1,8 +1,12 @@
-// Writes a basin slice as NetCDF.
+// The NetCDF file of a basin slice.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 
 namespace equipoise {
@@ -13,4 +17,30 @@ namespace equipoise {
 /// Readable by xarray, ncdump, ncview. A checksum ends the file. Throws RunError if it cannot be written.
 void write_map_file(const std::string& path, const BasinSlice& map);
 
+namespace io {
+
+/// What a slice's file states besides its pixels.
+struct SliceFileHeader {
+  std::string study;  ///< resolved, as TOML
+  SliceAxis x, y;
+  std::vector<AngleLink> links;
+  std::string arithmetic;  ///< BasinFileHeader::arithmetic
+  bool one_rotor = true;
+  SlicePixel rotor{};          ///< for one rotor: its numbers
+  std::size_t components = 0;  ///< of a state
+};
+
+/// Everything that determines the pixels; one key per line, as in a study.
+std::string identity_of(const SliceFileHeader& header);
+
+/// The outcome, then the pixel_numbers. For one rotor, those that belong to it are not kept.
+std::vector<StoredColumn> pixel_columns(bool one_rotor);
+
+/// The content of such a file; refers to the arguments. `codes`: all codes that pixels may have except
+/// not_computed_code. `values`: of a column of pixels, row by row.
+Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
+                      const std::vector<std::vector<double>>& discoveries, bool complete,
+                      const std::function<DataValues(std::size_t column)>& values);
+
+}  // namespace io
 }  // namespace equipoise

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "equipoise/machine/model/bearings.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
 
 namespace equipoise {
 
@@ -85,15 +85,7 @@ inline TransientWindow worse_of(const TransientWindow& a, const TransientWindow&
           {std::fmax(a.directions[0], b.directions[0]), std::fmax(a.directions[1], b.directions[1])}};
 }
 
-/// A steady motion's own figures. All zero: exact balance.
-struct MotionFigures {
-  double radial = 0.0;      ///< largest r
-  double peak_force = 0.0;  ///< largest |f|
-  double rms_force = 0.0, rms_velocity = 0.0;
-  double unbalance = 0.0;                        ///< size of the mean
-  double peak_dynamic = 0.0, rms_dynamic = 0.0;  ///< of the force without the weight at rest
-  double rms_one_direction = 0.0;                ///< of the velocity, in X or Y
-};
+using model::MotionFigures;
 
 /// What is known of where a decided trajectory goes.
 struct KnownEnd {

@@ -258,12 +258,10 @@ class HeldFollower {
     const bool damped = slowest > 0.0;
     const double horizon = piece().begin + *study_.numerics.horizon;
     if (!piece().prescribed || !damped) return come_to_rest(horizon);
-    const model::ForcedVibration f =
-        tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.shaft.places, watched_.shaft.bearings,
-                                       piece().speed)
-             : model::forced_vibration(p_, unbalance_, piece().speed);
-    run_.end = MotionFigures{f.radial,   f.peak_force,   f.rms_force,   f.rms_velocity,
-                             unbalance_, f.peak_dynamic, f.rms_dynamic, f.rms_one_direction};
+    run_.end = tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.shaft.places,
+                                              watched_.shaft.bearings, piece().speed)
+                    : model::forced_vibration(p_, unbalance_, piece().speed);
+    run_.end->unbalance = unbalance_;
     run_.speed = piece().speed;
     run_.steady = true;
     // Whatever the horizon was chosen for.

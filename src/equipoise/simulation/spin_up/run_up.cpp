@@ -6,7 +6,6 @@
 
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
-#include "equipoise/machine/mechanics/turning_inertia.hpp"
 #include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {

@@ -1,7 +1,15 @@
-// The table of keys by tables, lookups in it, and which keys a variant of a table has.
+// The table of keys by tables, lookups in it, which keys a variant of a table has; unknown keys, and the nearest known
+// names.
 #include <algorithm>
+#include <array>
+#include <string_view>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/toml/printable.hpp"
 
 namespace equipoise::study {
 
@@ -101,6 +109,157 @@ unsigned variants_of(const TorqueSetting& motor) {
   if (motor.kind == Kind::control) return variants | control;
   if (motor.kind == Kind::curve) return variants | characteristic;
   return motor.by_stall ? variants : linear;
+}
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+// A misspelling is at most this many edits away.
+constexpr std::size_t nearest_distance = 2;
+
+Names names_in(const std::vector<Key>& keys) {
+  Names names;
+  for (const Key& key : keys) names.emplace_back(key.name);
+  return names;
+}
+
+// Keys that the table may hold. Without a valid profile: the keys of all profiles.
+Names names_in(const StudyFile& file, const KeyTable& table, bool physical) {
+  const StudyValue* profile = table.find("profile", false) ? file.root.find_path(table.name + ".profile") : nullptr;
+  const auto at = std::find(profile_names.begin(), profile_names.end(),
+                            profile && profile->string() ? std::string_view(*profile->string()) : "");
+  const auto said = static_cast<Profile>(at - profile_names.begin());
+  return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
+}
+
+// A common name for a thing that has another name here.
+struct OtherName {
+  std::string_view said, name;
+};
+constexpr auto other_names = std::to_array<OtherName>({{"ball_count", "balls"},
+                                                       {"number_of_balls", "balls"},
+                                                       {"n_balls", "balls"},
+                                                       {"count", "balls"},
+                                                       {"ball_mass", "mass"},
+                                                       {"ball_drag", "drag"},
+                                                       {"damping_coefficient", "drag"},
+                                                       {"viscosity", "oil_viscosity"},
+                                                       {"radius", "race_radius"},
+                                                       {"diameter", "ball_diameter"},
+                                                       {"density", "ball_density"},
+                                                       {"ball_size", "ball_diameter"},
+                                                       {"friction", "rolling"},
+                                                       {"critical_speed", "natural_frequency"},
+                                                       {"natural_frequency", "stiffness"},
+                                                       {"critical_speed", "stiffness"},
+                                                       {"sag", "static_sag"},
+                                                       {"decrement", "logarithmic_decrement"},
+                                                       {"log_decrement", "logarithmic_decrement"},
+                                                       {"q_factor", "quality_factor"},
+                                                       {"eta", "loss_factor"},
+                                                       {"loss_coefficient", "loss_factor"},
+                                                       {"pitch_diameter", "race_diameter"},
+                                                       {"grade", "balance_grade"},
+                                                       {"gyration_radius", "radius_of_gyration"},
+                                                       {"gd", "gd2"},
+                                                       {"material", "ball_material"},
+                                                       {"places", "place"},
+                                                       {"spring", "stiffness"},
+                                                       {"k", "stiffness"},
+                                                       {"m", "mass"},
+                                                       {"c", "damping"},
+                                                       {"zeta", "damping_ratio"},
+                                                       {"zeta", "damping"},
+                                                       {"damping_factor", "damping_ratio"},
+                                                       {"damping_ratio", "damping"},
+                                                       {"imbalance", "unbalance"},
+                                                       {"imbalance", "eccentricity"},
+                                                       {"unbalance", "eccentricity"},
+                                                       {"offset", "eccentricity"},
+                                                       {"moment_of_inertia", "inertia"},
+                                                       {"speed", "final"},
+                                                       {"final_speed", "final"},
+                                                       {"final", "speed"},
+                                                       {"start", "initial"},
+                                                       {"time", "duration"},
+                                                       {"free_speed", "no_load_speed"},
+                                                       {"stall_torque", "stall"},
+                                                       {"balls", "balancer"}});
+
+bool holds(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The longer name begins or ends with the shorter one: "race_radius_mm", "support_stiffness".
+bool extends(std::string_view longer, std::string_view shorter) {
+  return shorter.size() >= 4 && longer.size() > shorter.size() &&
+         (longer.starts_with(shorter) || longer.ends_with(shorter));
+}
+
+// The known name that was probably meant, or an empty one.
+std::string meant(std::string_view key, const Names& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
+  });
+  if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
+  for (const auto& [said, name] : other_names)
+    if (key == said && holds(known, name)) return std::string(name);
+  for (const std::string& name : known)
+    if (extends(key, name) || extends(name, key)) return name;
+  return "";
+}
+
+// The known name that a key stands for, which may carry its table's name as --set writes it.
+std::string likely(std::string_view table, std::string_view key, const Names& known) {
+  if (!table.empty() && key.starts_with(fmt::format("{}.", table))) key.remove_prefix(table.size() + 1);
+  return holds(known, key) ? std::string(key) : meant(key, known);
+}
+
+}  // namespace
+
+bool nearly_same(std::string_view a, std::string_view b) {
+  return a.size() <= longest_shown && b.size() <= longest_shown && edit_distance(a, b) <= nearest_distance;
+}
+
+std::string unknown_key(std::string_view table, std::string_view key, const Names& known) {
+  const std::string other = likely(table, key, known);
+  return fmt::format("unknown key{} (allowed: {})", other.empty() ? "" : fmt::format("; did you mean \"{}\"?", other),
+                     fmt::join(known, ", "));
+}
+
+void check_tables(const StudyFile& file) {
+  Names tables;
+  for (const KeyTable& table : key_tables())
+    if (!table.is_inner()) tables.push_back(table.name);
+  for (const auto& [name, value] : *file.root.table())
+    if (!holds(tables, name))
+      throw InputError(file.where(name, &value), printable(name), file.value_text("", value),
+                       unknown_key("", name, tables));
+}
+
+namespace {
+void check_keys_of(const StudyFile& file, bool physical, const KeyTable& list, const std::string& path) {
+  const StudyValue* table = file.root.find_path(path);
+  if (!table || !table->table() || list.keys.empty()) return;
+  for (const auto& [name, value] : *table->table()) {
+    if (list.find(name, physical)) continue;
+    const std::string dotted = path + "." + name;
+    const Names known = names_in(file, list, physical);
+    std::string problem = unknown_key(list.name, name, known);
+    const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
+      return holds(names_in(file, other, physical), key);
+    });
+    if (home != key_tables().end() && likely(list.name, name, known).empty())
+      problem += fmt::format("; [{}] has a key of this name", home->name);
+    throw InputError(file.where(dotted, &value), path + "." + printable(name), file.value_text(dotted, value), problem);
+  }
+}
+}  // namespace
+
+void check_keys(const StudyFile& file, bool physical) {
+  for (const KeyTable& list : key_tables())
+    for (const std::string& path : paths_of(file.root, list.name)) check_keys_of(file, physical, list, path);
 }
 
 }  // namespace equipoise::study

@@ -1,6 +1,7 @@
 // Moves a key's value from a study's text into its member, and back.
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -15,6 +16,12 @@ constexpr char of_tilt[] = "[of a deflection and a tilt, of a tilt], or { x = [.
 
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
+
+// What [k12, k22] or [c12, c22] measure.
+std::array<Dimension, 2> support_dimensions(const Key& key) {
+  const bool springs = key.name == std::string_view("stiffness");
+  return {springs ? Dimension::force : Dimension::tilt_damping, springs ? Dimension::torque : Dimension::gain};
+}
 
 struct KeyReading {
   TableReader& reader;
@@ -78,9 +85,7 @@ struct KeyReading {
   // [k12, k22] or [c12, c22].
   std::vector<double> supports(TableReader& table, const char* name) const {
     if (!reader.physical()) return two(table, name, of_tilt);
-    const bool springs = key.name == std::string_view("stiffness");
-    const std::array<Dimension, 2> dimensions{springs ? Dimension::force : Dimension::tilt_damping,
-                                              springs ? Dimension::torque : Dimension::gain};
+    const std::array<Dimension, 2> dimensions = support_dimensions(key);
     const auto examples = [&](const char* text) {
       return fmt::format(fmt::runtime(text), study::words(dimensions[0]).example, study::words(dimensions[1]).example);
     };
@@ -106,31 +111,51 @@ struct KeyReading {
 };
 
 struct KeyEcho {
-  int balls;
+  const Key& key;
+  const Study& study;
+  bool physical;
   using Value = std::optional<StudyValue>;
+
+  // The `i`-th number of the key.
+  StudyValue written(double number, std::size_t i = 0) const {
+    if (!physical || !key.dimension || key.dimension == Dimension::angle) return number;
+    double scale = scale_of(*key.dimension, *study.scales);
+    if (key.name == std::string_view("drag")) scale *= study.parameters.mass[i];  // D_i = beta_i m_i R^2 omega_c
+    return quantity_text(number * scale, *key.dimension);
+  }
+  template <class Numbers>
+  StudyValue list(const Numbers& numbers) const {
+    StudyValue::Array entries;
+    for (const double number : numbers) entries.push_back(written(number, entries.size()));
+    return entries;
+  }
+  // [k12, k22] or [c12, c22].
+  StudyValue support(const std::array<double, 2>& one) const {
+    if (!physical) return list(one);
+    StudyValue::Array entries;
+    for (const Dimension d : support_dimensions(key))
+      entries.push_back(quantity_text(one[entries.size()] * scale_of(d, *study.scales), d));
+    return entries;
+  }
 
   Value operator()(std::monostate) const { return {}; }
   Value operator()(const std::vector<std::string>*) const { return {}; }  // of [sweep], which is not echoed
-  Value operator()(const std::array<double, 2>* v) const { return std::vector<double>(v->begin(), v->end()); }
+  Value operator()(const double* v) const { return written(*v); }
+  Value operator()(const std::vector<double>* v) const { return list(*v); }
+  Value operator()(const std::array<double, 2>* v) const { return list(*v); }
   Value operator()(const std::array<std::array<double, 2>, 2>* v) const {
-    const auto pair = [](const std::array<double, 2>& one) {
-      return StudyValue(std::vector<double>(one.begin(), one.end()));
-    };
-    if ((*v)[0] == (*v)[1]) return pair((*v)[0]);
-    StudyValue each;
-    each.set("x", pair((*v)[0]));
-    each.set("y", pair((*v)[1]));
-    return each;
+    if ((*v)[0] == (*v)[1]) return support((*v)[0]);
+    return StudyValue{{"x", support((*v)[0])}, {"y", support((*v)[1])}};
   }
   // One number per ball, whatever number of balls code has set.
   Value operator()(const std::array<double, model::max_balls>* v) const {
-    if (balls == 0) return {};
-    return std::vector<double>(v->begin(), v->begin() + std::clamp(balls, 0, model::max_balls));
+    if (study.parameters.balls == 0) return {};
+    return list(std::span(*v).first(static_cast<std::size_t>(std::clamp(study.parameters.balls, 0, model::max_balls))));
   }
   Value operator()(const std::optional<SamplingBox::Side>* v) const {
-    return *v ? Value(std::vector<double>{(*v)->low, (*v)->high}) : Value();
+    return *v ? Value(list(std::array{(*v)->low, (*v)->high})) : Value();
   }
-  Value operator()(const std::optional<double>* v) const { return *v ? Value(**v) : Value(); }
+  Value operator()(const std::optional<double>* v) const { return *v ? Value(written(**v)) : Value(); }
   template <Enumeration T>
   Value operator()(const std::optional<T>* v) const {
     const T value = v->value_or(T{});  // what an unset value means
@@ -193,9 +218,9 @@ void read_keys(TableReader& reader, const char* table, unsigned variants, Study&
   for (const Key& key : key_table(table).of(variants, reader.physical())) read_key(reader, key, study);
 }
 
-std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry) {
+std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry, bool physical) {
   const Member member = key.member(const_cast<Study&>(study), entry);  // only read here
-  return std::visit([&](const auto& v) { return KeyEcho{study.parameters.balls}(v); }, member);
+  return std::visit([&](const auto& v) { return KeyEcho{key, study, physical}(v); }, member);
 }
 
 Numbers numbers_of(Study& study, std::string_view dotted) {

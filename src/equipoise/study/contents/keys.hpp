@@ -122,8 +122,8 @@ Range range_in(const Study& study, const Key& key);
 void read_key(TableReader& reader, const Key& key, Study& study, bool required = false);
 /// Reads the keys that a table has in these variants.
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
-/// The member as written in a study; empty if it is not set.
-std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry = 0);
+/// The member as written in a study; empty if it is not set. `physical`: of a study with scales, as quantities.
+std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry = 0, bool physical = false);
 
 struct Numbers {
   std::vector<double*> places;

@@ -11,7 +11,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/machine/drives/never_reached.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/model/system.hpp"
 
@@ -70,6 +69,11 @@ model::SpeedProfile Study::speed_profile() const {
   return profile;
 }
 
+std::string never_reached(const model::SpeedProfile& profile, const std::function<std::string(double)>& shown) {
+  const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+  return fmt::format("the ramp function never reaches it; must be from {} to {}", shown(*low), shown(*high));
+}
+
 std::array<double, model::max_balls> even_angles(int balls) {
   std::array<double, model::max_balls> phi{};
   for (int i = 0; i < std::min(balls, model::max_balls); ++i) phi[i] = two_pi * i / balls;
@@ -89,7 +93,7 @@ double Study::release_time() const {
     const auto time = profile.first_time_at(*release.speed);
     if (!time)
       throw InputError(name, "release.speed", fmt::format("{}", *release.speed),
-                       model::never_reached(profile, [](double v) { return fmt::format("{}", v); }));
+                       never_reached(profile, [](double v) { return fmt::format("{}", v); }));
     return *time;
   }
   return speed.profile == Profile::trapezoid ? speed.rise_until : profile.settled_time();

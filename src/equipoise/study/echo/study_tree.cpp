@@ -1,4 +1,4 @@
-// The resolved study as a tree and as TOML, as results keep it.
+// The resolved study as a tree and as TOML, as results keep it, and in physical units.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 
 namespace equipoise {
@@ -14,11 +16,13 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-StudyValue table_of(std::string_view name, const Study& study, unsigned variants = all_variants) {
+// A table's keys that a dimensionless study has, as quantities if `physical`.
+StudyValue table_of(std::string_view name, const Study& study, bool physical = false,
+                    unsigned variants = all_variants) {
   StudyValue table;
   for (const Key& key : key_table(name).keys)
     if (key.in_form(false) && (!key.variants() || key.variants() & variants) && (!key.echoed || key.echoed(study)))
-      if (auto value = value_of(key, study, entry_of(name))) table.set(key.name, *std::move(value));
+      if (auto value = value_of(key, study, entry_of(name), physical)) table.set(key.name, *std::move(value));
   return table;
 }
 
@@ -28,33 +32,34 @@ void move_to_end(StudyValue& table, const char* key) {
   table.set(key, value);
 }
 
-StudyValue torque_table(const Study& study) {
+StudyValue torque_table(const Study& study, bool physical) {
   const TorqueSetting& t = study.speed.torque;
-  StudyValue torque = table_of("speed.torque", study, variants_of(t));
+  StudyValue torque = table_of("speed.torque", study, physical, variants_of(t));
   if (t.kind != model::MotorLaw::Kind::control) return torque;
-  torque.set("target", table_of("speed.torque.target", study, variant_of(t.target.profile)));
+  torque.set("target", table_of("speed.torque.target", study, physical, variant_of(t.target.profile)));
   return torque;
 }
 
-StudyValue tree_with_medians(const Study& study) {
+StudyValue tree_with_medians(const Study& study, bool physical = false) {
   StudyValue tree;
   for (const KeyTable& keys : key_tables()) {
     const std::string& name = keys.name;
-    if (keys.is_inner() || name == "sweep" || (name == "units" && !study.scales)) continue;
-    StudyValue table = table_of(name, study, name == "speed" ? variant_of(study.speed.profile) : all_variants);
+    if (keys.is_inner() || name == "sweep" || (name == "units" && (!study.scales || physical))) continue;
+    StudyValue table =
+        table_of(name, study, physical, name == "speed" ? variant_of(study.speed.profile) : all_variants);
     if (name == "speed") {
       move_to_end(table, "law");
-      if (study.speed.driven()) table.set("torque", torque_table(study));
+      if (study.speed.driven()) table.set("torque", torque_table(study, physical));
       const auto of_load = [](const UncertainValue& value) { return value.key.starts_with("speed.load."); };
       const std::vector<UncertainValue>& drawn = study.uncertain.values;
       if (study.speed.driven() &&
           (!study.speed.load.is_none() || study.speed.load.at || std::any_of(drawn.begin(), drawn.end(), of_load)))
-        table.set("load", table_of("speed.load", study));
+        table.set("load", table_of("speed.load", study, physical));
     } else if (name == "rotor" && study.parameters.tilts()) {
-      table.set("tilt", table_of("rotor.tilt", study));
+      table.set("tilt", table_of("rotor.tilt", study, physical));
     } else if (name == "sampling") {
       move_to_end(table, "method");
-      if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study));
+      if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study, physical));
     }
     if (!table.table()->empty()) tree.set(name, std::move(table));
   }
@@ -117,6 +122,20 @@ StudyValue to_tree(const Study& study) {
   StudyValue tree = *study.uncertain.physical;
   update_written(study, tree);
   return sorted(tree);
+}
+
+Study stating_release(Study study) {
+  if (!study.release.speed && !study.release.time && !study.speed.driven()) study.release.time = study.release_time();
+  return study;
+}
+
+std::string to_physical_toml(const Study& study) {
+  if (!study.scales)
+    throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
+  StudyValue tree = tree_with_medians(stating_release(with_medians(study)), true);
+  find_table(tree, "rotor")->set("mass", quantity_text(study.scales->mass, Dimension::mass));
+  find_table(tree, "balancer")->set("race_radius", quantity_text(study.scales->length, Dimension::length));
+  return toml_text(tree);
 }
 
 std::string to_toml(const Study& study) { return to_toml(to_tree(study)); }

@@ -15,7 +15,6 @@
 #include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
-#include "equipoise/study/reading/ways.hpp"
 
 namespace equipoise::study {
 

@@ -1,6 +1,4 @@
 // [rotor], [[place]], [balancer] and [speed], of both forms of studies.
-#include "equipoise/study/reading/machine_reader.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -14,7 +12,7 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/reading/rules.hpp"
+#include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
@@ -132,13 +130,10 @@ std::optional<double> grade_named(const std::string& text) {
 
 void read_rotor(const StudyFile& file, Study& study) {
   TableReader reader(file, "rotor");
-  if (const StudyValue* ratio = file.root.find_path("rotor.damping_ratio")) refuse_percentage(file, *ratio);
+  if (reader.has("damping_ratio")) refuse_percentage(file, reader.require("damping_ratio", ""));
   read_keys(reader, "rotor", all_variants, study);
   reader.finish();
-  if (reader.has("tilt"))
-    read_tilt(file, study);
-  else if (reader.has("eccentricity_angle"))
-    reader.fail("eccentricity_angle", words::study::only_of_tilt);
+  if (reader.has("tilt")) read_tilt(file, study);
   if (!file.physical) return;
   read_grade(file, study);
   read_places(file, study);

@@ -1,10 +1,22 @@
-// From what a data sheet states to dimensionless numbers, part by part.
+// The tables of the machine: read, and turned from what a data sheet states to dimensionless numbers, part by part.
 #pragma once
+
+#include <optional>
+#include <string>
 
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/reading/rules.hpp"
 
 namespace equipoise::study {
+
+/// [rotor] with its tables, and every [[place]]. Quantities are read in SI units.
+void read_rotor(const StudyFile& file, Study& study);
+/// [balancer]. A rotor without balls states its race at most.
+void read_balancer(const StudyFile& file, Study& study);
+/// [speed]: a ramp function or a motor with its load.
+void read_speed(const StudyFile& file, Study& study);
+/// The mm/s of a balance quality grade, "G 6.3"; empty if the text names none.
+std::optional<double> grade_named(const std::string& text);
 
 /// The study of a machine in physical units, from its quantities in SI units (docs/explanation/equations.md, "Units").
 Study nondimensionalise(const Study& machine, const Refuse& refuse);

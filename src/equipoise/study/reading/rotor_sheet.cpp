@@ -12,7 +12,6 @@
 #include "equipoise/machine/datasheet/vibration_data.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
-#include "equipoise/study/reading/ways.hpp"
 
 namespace equipoise::study {
 

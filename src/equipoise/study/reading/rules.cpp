@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/typed_numbers.hpp"
-#include "equipoise/machine/drives/never_reached.hpp"
+#include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/contents/words.hpp"
 
@@ -172,8 +173,7 @@ void check_release(const Study& study, const Refuse& refuse) {
   if (!release.speed || study.speed.driven()) return;
   const model::SpeedProfile profile = study.speed_profile();
   if (!profile.first_time_at(*release.speed))
-    refuse("release.speed",
-           model::never_reached(profile, [&](double speed) { return speed_text(speed, study.scales); }));
+    refuse("release.speed", never_reached(profile, [&](double speed) { return speed_text(speed, study.scales); }));
 }
 
 // Balls that are held at first have no rates, stated or drawn, and nothing else of the start is drawn.
@@ -196,6 +196,62 @@ void check_held_balls(const Study& study, const Refuse& refuse) {
 
 void check_numbers(const Study& study, const Refuse& refuse) {
   for (const auto rules : {check_tilt, check_balls, check_speed, check_release, check_held_balls}) rules(study, refuse);
+}
+
+namespace {
+
+// Keys that mean something only in some studies.
+struct Need {
+  std::vector<const char*> keys;
+  bool (*met)(const Study&);
+  const char* why;
+};
+
+// Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
+// which what tilts the rotor does not show, and which limits.force does not take. Limits of the unbalance of a rotor
+// that tilts need the places of two bearings, in whose planes it is judged.
+const std::vector<Need>& needs() {
+  static const std::vector<Need> all{
+      {{"rotor.eccentricity_angle", "initial.tilt_x", "initial.tilt_y", "initial.tilt_x_dot", "initial.tilt_y_dot"},
+       [](const Study& s) { return s.parameters.tilts(); },
+       words::study::only_of_tilt},
+      {{"standards.severity_class", "standards.hand_held", "standards.standing_mass", "standards.friction"},
+       [](const Study& s) { return s.scales || !s.standards.any(); },
+       "needs a study in physical units, or with [units]"},
+      {{"standards.standing_mass"},
+       [](const Study& s) { return s.standards.friction.has_value(); },
+       "needs standards.friction, such as 0.5"},
+      {{"standards.friction"},
+       [](const Study& s) { return s.standards.standing_mass.has_value(); },
+       "needs standards.standing_mass, such as \"70 kg\""},
+      {{"limits.settling_time"},
+       [](const Study& s) { return s.limits.settled.has_value(); },
+       "needs limits.settled, the displacement below which the rotor has settled"},
+      {{"limits.hand_arm"},
+       [](const Study& s) { return s.scales.has_value(); },
+       "is weighted by the frequency in Hz, which needs a study in physical units, or with [units]"},
+      {{"limits.force", "limits.dynamic_force"},
+       [](const Study& s) { return s.bearings.size() <= 2 || !s.bearings_stiffness.empty(); },
+       "is of the bearing that takes most, and of more than two bearings each has to be known: state "
+       "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings"},
+      {{"limits.force", "limits.dynamic_force"},
+       [](const Study& s) { return s.bearings.size() < 2 || !s.standards.standing_mass; },
+       "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is "
+       "known; state one of the two"},
+      {{"limits.residual", "limits.grade"},
+       [](const Study& s) { return !s.parameters.tilts() || model::tolerance_planes(s.bearings); },
+       "is judged in the planes of two bearings, which rotor.tilt does not state: without them it would leave out the "
+       "couple unbalance; state rotor.tilt.bearings_at, or in physical units rotor.tilt.bearings"},
+  };
+  return all;
+}
+
+}  // namespace
+
+void check_needs(const Study& study, const Refuse& refuse) {
+  for (const Need& need : needs())
+    for (const char* key : need.keys)
+      if (study.states(key) && !need.met(study)) refuse(key, need.why);
 }
 
 double number_of(Study& study, const UncertainValue& value, double drawn, const Refuse& refuse) {
@@ -240,6 +296,77 @@ bool put_valid_numbers(Study& study, std::span<const NumberAt> numbers) {
     return false;
   }
   return true;
+}
+
+namespace {
+
+// What a data sheet may state in several ways, each with its own key.
+struct Way {
+  std::string_view key, words;
+};
+
+// Each group states one thing.
+const std::vector<std::vector<Way>>& groups() {
+  static const std::vector<std::vector<Way>> all{
+      {{"rotor.stiffness", "a stiffness greater than 0, such as \"48 kN/m\""},
+       {"rotor.natural_frequency", "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\""},
+       {"rotor.static_sag", "under its own weight, such as \"3 mm\""}},
+      {{"rotor.damping", "a damping coefficient of 0 or more, such as \"200 N s/m\""},
+       {"rotor.damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
+       {"rotor.logarithmic_decrement", "a plain number, per cycle of free vibration, such as 0.3"},
+       {"rotor.quality_factor", "a plain number, sqrt(k M)/c, such as 8"},
+       {"rotor.loss_factor", "a plain number, c/sqrt(k M), such as 0.1"}},
+      {{"rotor.eccentricity", "a length of 0 or more, such as \"0.2 mm\""},
+       {"rotor.unbalance", "mass times eccentricity, such as \"300 g mm\""},
+       {"rotor.balance_grade", "a table such as { grade = \"G 6.3\", at = \"3000 rpm\" }"}},
+      {{"rotor.inertia", "a moment of inertia greater than 0, such as \"0.02 kg m2\""},
+       {"rotor.radius_of_gyration", "sqrt(J/M), such as \"60 mm\""},
+       {"rotor.gd2", "4 J, such as \"0.3 kgf m2\""}},
+      {{"balancer.race_radius", "a length greater than 0, such as \"60 mm\""},
+       {"balancer.race_diameter", "such as \"120 mm\""}},
+      {{"balancer.mass", "a mass greater than 0, such as \"5 g\""},
+       {"balancer.ball_density", "with balancer.ball_diameter"},
+       {"balancer.ball_material", "such as \"steel\", with balancer.ball_diameter"}},
+      {{"balancer.drag",
+        "a torque for a rate, such as \"1e-6 N m s\", or a force for a velocity, such as \"0.01 N s/m\""},
+       {"balancer.oil_viscosity", "with balancer.ball_diameter"},
+       {"balancer.oil", "such as { grade = \"ISO VG 32\", at = \"40 degC\" }"}}};
+  return all;
+}
+
+const std::vector<Way>* group_of(std::string_view key) {
+  for (const std::vector<Way>& ways : groups())
+    if (std::any_of(ways.begin(), ways.end(), [&](const Way& way) { return way.key == key; })) return &ways;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string or_give(std::string_view dotted) {
+  std::string text;
+  if (const std::vector<Way>* ways = group_of(dotted))
+    for (const Way& way : *ways)
+      if (way.key != dotted) text += fmt::format(", or give {}, {}", way.key, way.words);
+  return text;
+}
+
+void refuse_several_ways(const Study& study, const Refuse& refuse) {
+  for (const std::vector<Way>& ways : groups()) {
+    std::string_view given;
+    for (const Way& way : ways) {
+      if (!study.states(way.key)) continue;
+      if (!given.empty()) refuse(std::string(way.key), fmt::format("give either {} or {}, not both", given, way.key));
+      given = way.key;
+    }
+  }
+}
+
+std::string_view way_of(const Study& study, std::string_view first, const Refuse& refuse, bool required) {
+  const std::vector<Way>& ways = *group_of(first);
+  for (const Way& way : ways)
+    if (study.states(way.key)) return way.key.substr(way.key.find('.') + 1);
+  if (required) refuse(std::string(first), fmt::format("missing; must be {}{}", ways.front().words, or_give(first)));
+  return "";
 }
 
 }  // namespace equipoise::study

@@ -26,6 +26,8 @@ inline Refuse refuse_in(const Study& study) {
 
 /// All of them.
 void check_numbers(const Study& study, const Refuse& refuse);
+/// What the keys that a study states need: other keys, units, a rotor that tilts.
+void check_needs(const Study& study, const Refuse& refuse);
 
 /// What a draw of an uncertain value sets its key to, in SI units if the study is a machine in these. Refuses what the
 /// key does not take.
@@ -42,5 +44,16 @@ struct NumberAt {
 bool put_numbers(Study& study, std::span<const NumberAt> numbers);
 /// The same, but false also if such a study would be refused: reading it says why.
 bool put_valid_numbers(Study& study, std::span<const NumberAt> numbers);
+
+/// ", or give rotor.unbalance, mass times eccentricity, such as "300 g mm"": the other ways in which a data sheet may
+/// state what this key does; else empty.
+std::string or_give(std::string_view dotted);
+
+/// Refuses a study that states one thing in several ways.
+void refuse_several_ways(const Study& study, const Refuse& refuse);
+
+/// The key, without its table, in which a study states what may be stated by `first`, the first of these ways; empty if
+/// it does in none, which is refused if it is `required`.
+std::string_view way_of(const Study& study, std::string_view first, const Refuse& refuse, bool required = true);
 
 }  // namespace equipoise::study

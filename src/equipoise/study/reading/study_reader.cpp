@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,21 +14,15 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/contents/known_keys.hpp"
-#include "equipoise/study/reading/machine_reader.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
-#include "equipoise/study/reading/uncertain_reader.hpp"
-#include "equipoise/study/reading/ways.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
-#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise {
 
@@ -57,8 +50,6 @@ void read_initial(const StudyFile& file, Study& study) {
   for (const Key& key : key_table("initial").of(all_variants, file.physical))
     if (balls || !std::string_view(key.name).starts_with("phi")) read_key(reader, key, study);
   reader.has("phi_dot");
-  for (const char* key : {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
-    if (reader.has(key) && !study.parameters.tilts()) reader.fail(key, words::study::only_of_tilt);
   reader.finish();
 }
 
@@ -79,19 +70,6 @@ void read_units(const StudyFile& file, Study& study) {
   if (file.physical || !file.root.find("units")) return;
   study.scales.emplace();
   read_table(file, "units", study);
-}
-
-void check_standards(const Study& study, const Refuse& refuse) {
-  const Standards& s = study.standards;
-  const auto needs = [&](const std::string& key, bool met, const char* what) {
-    if (!met) refuse("standards." + key, std::string("needs ") + what);
-  };
-  if (s.any() && !study.scales)
-    for (const Key& key : key_table("standards").keys)
-      needs(key.name, !study.states(std::string("standards.") + key.name),
-            "a study in physical units, or with [units]");
-  if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
-  if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
 }
 
 // Whether the study does not say where the rotor starts.
@@ -226,33 +204,6 @@ void read_grade(StudyFile& file) {
   limits.erase("residual");
 }
 
-// Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
-// which what tilts the rotor does not show, and which limits.force does not take. Limits of the unbalance of a rotor
-// that tilts need the places of two bearings, in whose planes it is judged.
-void check_limits(const Study& study, const Refuse& refuse_key) {
-  const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
-    for (const char* key : keys)
-      if (study.states(key)) refuse_key(key, why);
-  };
-  if (!study.limits.settled)
-    refuse({"limits.settling_time"}, "needs limits.settled, the displacement below which the rotor has settled");
-  if (!study.scales)
-    refuse({"limits.hand_arm"},
-           "is weighted by the frequency in Hz, which needs a study in physical units, or with [units]");
-  if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
-    refuse({"limits.force", "limits.dynamic_force"},
-           "is of the bearing that takes most, and of more than two bearings each has to be known: state "
-           "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings");
-  if (study.bearings.size() >= 2 && study.standards.standing_mass)
-    refuse({"limits.force", "limits.dynamic_force"},
-           "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is "
-           "known; state one of the two");
-  if (study.parameters.tilts() && !model::tolerance_planes(study.bearings))
-    refuse({"limits.residual", "limits.grade"},
-           "is judged in the planes of two bearings, which rotor.tilt does not state: without them it would leave out "
-           "the couple unbalance; state rotor.tilt.bearings_at, or in physical units rotor.tilt.bearings");
-}
-
 enum class Source { asked, kept };  // kept: a study stored in a result
 
 Study read(StudyFile file, Source source = Source::asked) {
@@ -268,7 +219,6 @@ Study read(StudyFile file, Source source = Source::asked) {
   if (file.physical) {
     infer_profile(file);
     if (source == Source::asked) free_balls_of_machine(file);
-    uncertain.physical = file.root;
   }
   uncertain.values = take_uncertain(file);
   const Refuse refuse = refuse_in(file);
@@ -294,10 +244,12 @@ Study read(StudyFile file, Source source = Source::asked) {
   check_numbers(result, refuse);
   const bool no_place = states_no_place(result);
   if (no_place) put_at_rest(result, refuse);
-  check_standards(result, refuse);
-  check_limits(result, refuse);
+  check_needs(result, refuse);
   if (uncertain.empty()) return result;
-  if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
+  if (file.physical) {
+    uncertain.physical = file.root;
+    uncertain.horizon = result.numerics.horizon;
+  }
   const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
                                   [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
   uncertain.rests = no_place && (weighs || result.parameters.gravity != 0.0);

@@ -13,12 +13,9 @@
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/contents/known_keys.hpp"
-#include "equipoise/study/reading/uncertain_reader.hpp"
-#include "equipoise/study/reading/ways.hpp"
+#include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/toml/overrides.hpp"
 #include "equipoise/study/toml/printable.hpp"
-#include "equipoise/study/toml/text_guard.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/units.hpp"
 #include "equipoise/study/contents/words.hpp"
@@ -155,12 +152,10 @@ std::string shown(const StudyValue& value) {
 }
 
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
-  const auto found = written.find(dotted_key);
-  return found == written.end() ? shown(value) : found->second.value;
+  return shown(taken.contains(dotted_key) ? *root.find_path(dotted_key) : value);
 }
 
 Place StudyFile::where(const std::string& dotted_key, const StudyValue* value) const {
-  if (const auto found = written.find(dotted_key); found != written.end()) return found->second.where;
   for (std::size_t dot = 0; dot != std::string::npos;) {
     dot = dotted_key.find('.', dot + 1);
     if (overridden.count(dotted_key.substr(0, dot))) return overrides_name;
@@ -207,6 +202,7 @@ bool TableReader::has_asked(const std::string& key) const {
 
 const StudyValue* TableReader::find(const std::string& key) {
   if (!has_asked(key)) known_.push_back(key);
+  if (const auto drawn = file_.taken.find(dotted(key)); drawn != file_.taken.end()) return &drawn->second;
   return table_ ? table_->find(key) : nullptr;
 }
 

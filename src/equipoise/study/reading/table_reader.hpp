@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,10 +15,44 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/datasheet/scales.hpp"
-#include "equipoise/study/reading/wanted.hpp"
+#include "equipoise/study/contents/uncertain.hpp"
 #include "equipoise/study/toml/study_value.hpp"
+#include "equipoise/study/units/units.hpp"
 
 namespace equipoise::study {
+
+/// The allowed range of a number.
+struct Range {
+  double low, high;
+  bool low_open = false, high_open = false;
+
+  bool contains(double v) const;  ///< false for NaN and infinity
+  std::string text() const;       ///< "a finite number greater than 0"
+};
+
+/// Far beyond any use, yet small enough that the difference of two numbers stays finite.
+inline constexpr double unbounded = 1e300;
+inline constexpr Range any_number{-unbounded, unbounded};
+inline constexpr Range not_negative{0.0, unbounded};
+inline constexpr Range positive{0.0, unbounded, true};
+
+/// Every SI value of a machine lies well within these bounds: results computed from them stay finite and nonzero.
+inline constexpr double largest_si = 1e30, smallest_si = 1e-30;
+
+/// A plain number, or a quantity of one of these dimensions, whose sign alone is in the range.
+struct Wanted {
+  Wanted(const Range& of = any_number, std::vector<Dimension> measured = {}) : range(of), dimensions(measured) {}
+
+  bool is_quantity() const { return !dimensions.empty(); }
+  std::string text() const;  ///< "a length of 0 or more, such as "0.2 mm"", or as of the range
+
+  Range range;
+  std::vector<Dimension> dimensions;
+};
+
+/// The SI value of a quantity (a string or an array's entry), checked; `reject` throws. Angles may be plain numbers.
+Measured measure_value(const StudyValue& value, const Wanted& wanted,
+                       const std::function<void(const std::string&)>& reject);
 
 /// A value as it was written, shortened for a message.
 std::string shown(const StudyValue& value);
@@ -26,17 +61,12 @@ std::string shown(const StudyValue& value);
 struct StudyFile {
   StudyValue root;  ///< a table
   std::string name;
-  std::set<std::string> overridden;  ///< dotted keys given by --set
-  /// What stood at a dotted key where now a distribution's median is: its text and place.
-  struct Written {
-    std::string value;
-    Place where;
-  };
-  std::map<std::string, Written> written;
+  std::set<std::string> overridden;         ///< dotted keys given by --set
+  std::map<std::string, StudyValue> taken;  ///< by dotted key, what is read where `root` has a distribution
   bool physical = false;  ///< a study in physical units: numbers of keys with a dimension are quantities
 
   Place where(const std::string& dotted_key, const StudyValue* value) const;
-  /// The same of a value at a key, if a distribution stood there.
+  /// The value at a key, or its distribution, for a message.
   std::string value_text(const std::string& dotted_key, const StudyValue& value) const;
   /// Throws an InputError about the key.
   [[noreturn]] void fail(const std::string& dotted_key, const std::string& problem) const;
@@ -116,5 +146,26 @@ class TableReader {
   Dimension measured_{};
   std::vector<std::string> known_;
 };
+
+/// Whether numbers in the table with this dotted name may be distributions.
+bool takes_distributions(const std::string& dotted);
+
+/// Lets the reader take the medians of all distributions in rotor, balancer, speed and release. Tables that name no
+/// distribution are left to the reader. Throws InputError for numbers that make none.
+std::vector<UncertainValue> take_uncertain(StudyFile& file);
+
+/// Few enough edits apart that one is a misspelling of the other.
+bool nearly_same(std::string_view a, std::string_view b);
+
+/// "unknown key; did you mean "stiffness"? (allowed: ...)". `table`: dotted name of the table that holds it, or empty;
+/// `known`: the keys that the table may hold.
+std::string unknown_key(std::string_view table, std::string_view key, const std::vector<std::string>& known);
+
+/// Throws for the first unknown table.
+void check_tables(const StudyFile& file);
+
+/// Throws for the first key that no study of this kind and profile has in its table. This runs before reading, so that
+/// a misspelt key is not reported as another one that is missing.
+void check_keys(const StudyFile& file, bool physical);
 
 }  // namespace equipoise::study

@@ -1,6 +1,4 @@
 // Which tables are distributions, and what is wrong with them.
-#include "equipoise/study/reading/uncertain_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,8 +41,7 @@ class DistributionReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(file_.where(value_.key, &table_), printable(value_.key), file_.value_text(value_.key, table_),
-                     problem);
+    throw InputError(file_.where(value_.key, &table_), printable(value_.key), shown(table_), problem);
   }
 
   void find_kind() {
@@ -158,12 +155,8 @@ std::vector<UncertainValue> take_uncertain(StudyFile& file) {
     if (keys.drawn())
       for (const std::string& path : paths_of(file.root, keys.name)) take_from(file, keys, path, values);
   for (const UncertainValue& value : values) {
-    StudyValue& there = *file.root.find_path(value.key);
-    file.written.insert_or_assign(value.key,
-                                  StudyFile::Written{file.value_text(value.key, there), file.where(value.key, &there)});
-    StudyValue taken = value.written(value.taken());
-    taken.set_line(there.line());
-    there = std::move(taken);
+    StudyValue& taken = file.taken[value.key] = value.written(value.taken());
+    taken.set_line(file.root.find_path(value.key)->line());
   }
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   return values;

@@ -1,9 +1,9 @@
 // Ranges and quantities in words, and quantities measured.
-#include "equipoise/study/reading/wanted.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "equipoise/study/reading/table_reader.hpp"
 
 namespace equipoise::study {
 

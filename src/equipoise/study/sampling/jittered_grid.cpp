@@ -8,7 +8,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"
 #include "equipoise/machine/model/parameters.hpp"
-#include "equipoise/study/sampling/start_numbers.hpp"
 #include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {

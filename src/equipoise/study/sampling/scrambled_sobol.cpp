@@ -6,7 +6,7 @@
 #include <boost/random/sobol.hpp>
 
 #include "equipoise/core/base/random.hpp"
-#include "equipoise/study/sampling/start_numbers.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
 

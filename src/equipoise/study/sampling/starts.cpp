@@ -3,7 +3,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"
-#include "equipoise/study/sampling/start_numbers.hpp"
 
 namespace equipoise {
 

@@ -15,4 +15,7 @@ void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double*
 /// A number of start `index` for `name`, uniform on [0, 1), independent of everything else drawn.
 double start_fraction(std::uint64_t seed, std::uint64_t index, std::string_view name);
 
+/// Third word of the counter, under the key (seed, 0): drawing numbers for one purpose does not change the others.
+enum class StartNumbers : std::uint64_t { angles = 0, others = 1, scrambling = 2, cell_order = 3, parameters = 4 };
+
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 // This room: a text as a tree.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,7 +10,16 @@
 
 namespace equipoise::study {
 
-/// Every value knows its line; members are sorted by key. Throws TextFault (text_guard.hpp) if the text is not TOML.
+/// Why a text cannot be read, and where; line and column (in bytes) count from 1.
+struct TextFault {
+  std::size_t line, column;
+  std::string problem;
+};
+
+/// A study needs at most four parts. The parser and its trees recurse once per part on a limited stack.
+inline constexpr int most_key_parts = 16;
+
+/// Every value knows its line; members are sorted by key. Throws TextFault if the text is not TOML.
 StudyValue parse_toml(std::string_view text);
 
 /// The shortest text that reads back to the same number, always as a TOML float.

@@ -24,12 +24,8 @@ struct NamedUnit {
   Form form;
 
   bool has(std::string_view name) const {
-    for (std::string_view rest = names; !rest.empty();) {
-      const std::string_view one = rest.substr(0, rest.find(' '));
-      rest.remove_prefix(std::min(one.size() + 1, rest.size()));
-      if (name.starts_with(one) && (name == one || (form == Form::word && name.substr(one.size()) == "s"))) return true;
-    }
-    return false;
+    return is_among(names, name) ||
+           (form == Form::word && name.ends_with('s') && is_among(names, name.substr(0, name.size() - 1)));
   }
 };
 
@@ -192,7 +188,8 @@ std::string in_plain_signs(std::string_view text) {
     const std::size_t length = std::max<std::size_t>(1, character_length(text, at));
     const std::string_view character = text.substr(at, length);
     at += length;
-    const char power = meaning(raised, character), sign = meaning(signs, character);
+    const bool ascii = length == 1;
+    const char power = ascii ? 0 : meaning(raised, character), sign = ascii ? 0 : meaning(signs, character);
     if (power && !in_power) plain += '^';
     in_power = power != 0;
     if (power || sign)
@@ -302,6 +299,15 @@ class UnitReader {
 };
 
 }  // namespace
+
+bool is_among(std::string_view names, std::string_view name) {
+  if (name.empty() || name.find(' ') != std::string_view::npos) return false;
+  for (std::size_t at = 0; (at = names.find(name, at)) != std::string_view::npos; ++at) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || names[at - 1] == ' ') && (end == names.size() || names[end] == ' ')) return true;
+  }
+  return false;
+}
 
 UnitText::UnitText(std::string_view given) : text(in_plain_signs(given)) { UnitReader(*this).read(); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string_view>
 
@@ -22,29 +23,35 @@ namespace {
 constexpr char no_number_with_unit[] = "is not a number with a unit; {}";
 constexpr char measures_something_else[] = "\"{}\" is a unit of something else; {}";
 
+template <auto member>
+double by(const model::Scales& scales) {
+  return std::invoke(member, scales);
+}
+using S = model::Scales;
+
 constexpr std::array<DimensionWords, 22> all_words{{
-    {"a mass", "kg", "12 kg", "kg"},
-    {"a length", "m", "0.2 mm", "mm", "R"},
-    {"a time", "s", "10 s", "s", "1/omega_c"},
-    {"a speed of rotation", "rad/s", "3000 rpm", "rpm", "omega_c"},
-    {"a velocity", "m/s", "4.5 mm/s", "mm/s", "R omega_c"},
-    {"an acceleration", "m/s2", "9.81 m/s2", "m/s2"},
-    {"a force", "N", "500 N", "N", "M R omega_c^2"},
-    {"a stiffness", "N/m", "48 kN/m", "N/m"},
-    {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
-    {"a torque", "N m", "0.5 N m", "N m"},
-    {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
-    {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
-    {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
-    {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3"},
-    {"an unbalance", "kg m", "300 g mm", "g mm", "M R"},
+    {"a mass", "kg", "12 kg", "kg", "", by<&S::mass>},
+    {"a length", "m", "0.2 mm", "mm", "R", by<&S::length>},
+    {"a time", "s", "10 s", "s", "1/omega_c", by<&S::time>},
+    {"a speed of rotation", "rad/s", "3000 rpm", "rpm", "omega_c", by<&S::frequency>},
+    {"a velocity", "m/s", "4.5 mm/s", "mm/s", "R omega_c", by<&S::velocity>},
+    {"an acceleration", "m/s2", "9.81 m/s2", "m/s2", "", by<&S::acceleration>},
+    {"a force", "N", "500 N", "N", "M R omega_c^2", by<&S::force>},
+    {"a stiffness", "N/m", "48 kN/m", "N/m", "", by<&S::stiffness>},
+    {"a damping coefficient", "N s/m", "200 N s/m", "N s/m", "", by<&S::damping>},
+    {"a torque", "N m", "0.5 N m", "N m", "", by<&S::torque>},
+    {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s", "", by<&S::gain>},
+    {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2", "", by<&S::inertia>},
+    {"an energy", "J", "20 J", "J", "M R^2 omega_c^2", by<&S::torque>},
+    {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3", [](const S& s) { return s.torque() * s.frequency; }},
+    {"an unbalance", "kg m", "300 g mm", "g mm", "M R", by<&S::unbalance>},
     {"a density", "kg/m3", "7800 kg/m3", "kg/m3"},
     {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
     {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
-    {"an angle", "rad", "30 degree", "rad", "rad"},
+    {"an angle", "rad", "30 degree", "rad", "rad", [](const S&) { return 1.0; }},
     {"a temperature", "K", "40 degC", "K"},
     {"a weight times a diameter squared", "N m2", "0.3 kgf m2", "N m2"},
-    {"a force for a speed of tilting", "N s", "2 N s", "N s"},
+    {"a force for a speed of tilting", "N s", "2 N s", "N s", "", [](const S& s) { return s.damping() * s.length; }},
 }};
 
 bool names_hertz(std::string_view unit) {
@@ -52,26 +59,17 @@ bool names_hertz(std::string_view unit) {
 }
 
 // What everybody reads as turns a minute. A bare 1/s may be turns or radians.
-bool names_turns_a_minute(std::string_view unit) {
-  constexpr std::array<std::string_view, 3> spellings{"min-1", "min^-1", "1/min"};
-  return std::find(spellings.begin(), spellings.end(), unit) != spellings.end();
-}
+bool names_turns_a_minute(std::string_view unit) { return is_among("min-1 min^-1 1/min", unit); }
 
 // Scales with a zero of their own: no product of units.
 struct TemperatureScale {
-  std::string_view name;
+  std::string_view names;
   double kelvin, zero;  // of one degree; of 0 degrees
 };
-constexpr std::array<TemperatureScale, 10> temperature_scales{{{"degC", 1.0, 273.15},
-                                                               {"C", 1.0, 273.15},
-                                                               {"celsius", 1.0, 273.15},
-                                                               {"\u00B0C", 1.0, 273.15},
-                                                               {"\u2103", 1.0, 273.15},
-                                                               {"degF", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                               {"F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                               {"fahrenheit", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                               {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                               {"K", 1.0, 0.0}}};
+constexpr std::array<TemperatureScale, 3> temperature_scales{
+    {{"degC C celsius \u00B0C \u2103", 1.0, 273.15},
+     {"degF F fahrenheit \u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+     {"K", 1.0, 0.0}}};
 
 // One `unit` in the dimension's SI unit; 0 if it measures something else. The table treats angles as pure numbers, so a
 // frequency would otherwise pass for a speed.
@@ -158,49 +156,8 @@ ShownUnit shown_unit(Dimension d, const std::optional<model::Scales>& scales) {
                                                                              : si};
 }
 
-double scale_of(Dimension dimension, const model::Scales& s) {
-  switch (dimension) {
-    case Dimension::mass:
-      return s.mass;
-    case Dimension::length:
-      return s.length;
-    case Dimension::time:
-      return s.time();
-    case Dimension::speed:
-      return s.frequency;
-    case Dimension::velocity:
-      return s.velocity();
-    case Dimension::acceleration:
-      return s.acceleration();
-    case Dimension::force:
-      return s.force();
-    case Dimension::stiffness:
-      return s.stiffness();
-    case Dimension::damping:
-      return s.damping();
-    case Dimension::torque:
-      return s.torque();
-    case Dimension::gain:
-      return s.gain();
-    case Dimension::inertia:
-      return s.inertia();
-    case Dimension::energy:
-      return s.torque();
-    case Dimension::power:
-      return s.torque() * s.frequency;
-    case Dimension::unbalance:
-      return s.unbalance();
-    case Dimension::angle:
-      return 1.0;
-    case Dimension::tilt_damping:
-      return s.damping() * s.length;
-    case Dimension::density:
-    case Dimension::viscosity:
-    case Dimension::kinematic_viscosity:
-    case Dimension::temperature:
-    case Dimension::weight_inertia:
-      break;
-  }
+double scale_of(Dimension dimension, const model::Scales& scales) {
+  if (const auto scale = words(dimension).scale) return scale(scales);
   throw std::logic_error("no dimensionless study has this dimension");
 }
 
@@ -242,7 +199,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     return result;
   }
   for (const TemperatureScale& scale : temperature_scales) {
-    if (unit_text != scale.name) continue;
+    if (!is_among(scale.names, unit_text)) continue;
     if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end()) {
       result.problem = fmt::format(measures_something_else, unit_text, must_be);
       return result;

@@ -46,6 +46,7 @@ struct DimensionWords {
   const char* shown;    ///< the unit of an echo: "mm"
   /// The unit of numbers that have none: "R omega_c". Of what figures and columns measure.
   const char* dimensionless = "";
+  double (*scale)(const model::Scales&) = nullptr;  ///< one dimensionless unit in `si`; null: no such study has it
 };
 const DimensionWords& words(Dimension dimension);
 
@@ -56,8 +57,7 @@ struct ShownUnit {
 };
 ShownUnit shown_unit(Dimension dimension, const std::optional<model::Scales>& scales);
 
-/// What one dimensionless unit of the dimension is worth in its SI unit. Of those that a dimensionless study has; all
-/// others throw std::logic_error.
+/// DimensionWords::scale; throws std::logic_error if there is none.
 double scale_of(Dimension dimension, const model::Scales& scales);
 
 /// A value in SI units, or what is wrong with its text.

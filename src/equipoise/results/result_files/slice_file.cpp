@@ -1,7 +1,6 @@
 // Dimensions, variables and attributes of a basin slice.
-#include "equipoise/results/result_files/slice_netcdf.hpp"
+#include "equipoise/results/result_files/slice_file.hpp"
 
-#include <array>
 #include <limits>
 #include <tuple>
 
@@ -11,7 +10,6 @@
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/result_files/slice_file.hpp"
 
 namespace equipoise::io {
 
@@ -60,8 +58,8 @@ std::string identity_of(const SliceFileHeader& h) {
 
 std::vector<StoredColumn> pixel_columns(bool one_rotor) {
   std::vector<StoredColumn> columns{{{"outcome", "what the pixel's start comes to"}, DataColumn::Type::small, 1, "x"}};
-  visit_pixel_numbers(one_rotor, [&](std::size_t k, float SlicePixel::*) {
-    columns.push_back({pixel_numbers[k], DataColumn::Type::single, 1, "x"});
+  visit_pixel_numbers(one_rotor, [&](std::size_t, const PixelNumber& n) {
+    columns.push_back({n, DataColumn::Type::single, 1, "x"});
   });
   return columns;
 }
@@ -98,14 +96,11 @@ void write_map_file(const std::string& path, const BasinSlice& map) {
   const std::size_t size = map.code.size();
   io::SliceFileHeader header{to_toml(map.study), map.x, map.y, map.links, "of " + map.cpu_target};
   header.one_rotor = map.balance_margin.size() != size || size == 1;
-  if (header.one_rotor) {
-    header.rotor.balance_margin = map.balance_margin.front();
-    header.rotor.balance_growth = map.balance_growth.front();
-  }
-  const std::array numbers{&map.time, &map.r_max, &map.balance_margin, &map.balance_growth};  // as pixel_numbers
+  for (const PixelNumber& n : pixel_numbers)
+    if (header.one_rotor && n.of_rotor) header.rotor.*n.value = (map.*n.all).front();
   const auto values = [&](std::size_t column) -> DataValues {
     return [&, column](std::size_t place) -> double {
-      return column == 0 ? static_cast<double>(map.code[place]) : (*numbers[column - 1])[place];
+      return column == 0 ? static_cast<double>(map.code[place]) : (map.*pixel_numbers[column - 1].all)[place];
     };
   };
   io::write_netcdf_file(path, io::slice_dataset(header, map.codes, {}, map.complete, values));
