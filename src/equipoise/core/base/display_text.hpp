@@ -1,6 +1,7 @@
 // Makes names from outside, such as file names, fit for any output.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -18,6 +19,12 @@ inline std::size_t display_width(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
   return count;
+}
+
+/// Without blanks at either end.
+inline std::string_view trimmed(std::string_view text, std::string_view blanks = " ") {
+  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does.

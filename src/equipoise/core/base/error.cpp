@@ -39,7 +39,7 @@ Parts parts_of(std::string_view problem) {
   return {problem.substr(0, at), rest.starts_with(be) ? rest.substr(be.size()) : rest};
 }
 
-std::string trimmed(std::string_view text) {
+std::string without_end(std::string_view text) {
   const std::size_t last = text.find_last_not_of(" ;:,(");
   return std::string(last == std::string_view::npos ? std::string_view() : text.substr(0, last + 1));
 }
@@ -61,7 +61,7 @@ InputError::InputError(Place place, std::string key, std::string value, std::str
       value_(std::move(value)),
       problem_(std::move(problem)) {
   const Parts parts = parts_of(problem_);
-  wrong_ = trimmed(parts.wrong);
+  wrong_ = without_end(parts.wrong);
   allowed_ = std::string(parts.allowed);
 }
 

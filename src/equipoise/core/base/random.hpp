@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace equipoise {
 
@@ -15,6 +16,14 @@ RandomWords random_words(const std::array<std::uint64_t, 2>& key, const RandomWo
 
 /// The upper 53 bits of a word as a number in [0, 1).
 constexpr double fraction(std::uint64_t word) { return static_cast<double>(word >> 11) * 0x1p-53; }
+
+/// The same number for the same text on every machine, others for the few others that a study or a run has (FNV-1a, G.
+/// Fowler, L. C. Noll, K.-P. Vo).
+constexpr std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
 
 /// A stream for searches that do not know in advance how many numbers they draw. It shares no counter with any start.
 class RandomStream {

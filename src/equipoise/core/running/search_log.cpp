@@ -5,7 +5,8 @@
 
 namespace equipoise {
 
-NotePage::NotePage(SearchLog* notes, const std::string& subject) : notes_(notes), page_(number_of(subject)) {}
+// Two of a run's hundred pages share a number once in 10^15 runs.
+NotePage::NotePage(SearchLog* notes, const std::string& subject) : notes_(notes), page_(hash_of(subject)) {}
 
 NotePage::~NotePage() {
   try {
@@ -23,13 +24,6 @@ void NotePage::keep(std::uint64_t number, std::vector<char> answer) {
 void NotePage::hand_on() {
   for (const auto& [number, answer] : waiting_) notes_->keep(page_, number, answer);
   waiting_.clear();
-}
-
-// FNV-1a (Fowler, Noll, Vo): the same on every machine. Two of a run's hundred pages share a number once in 10^15 runs.
-std::uint64_t NotePage::number_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return hash;
 }
 
 }  // namespace equipoise

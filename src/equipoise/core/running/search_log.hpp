@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "equipoise/core/base/bytes.hpp"
+#include "equipoise/core/base/random.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 
 namespace equipoise {
@@ -84,7 +85,7 @@ class NotePage {
                  const Fits& fits = {}) {
     using Answer = decltype(work());
     if (!notes_) return work();
-    const std::uint64_t asked = number_of(question);
+    const std::uint64_t asked = hash_of(question);
     if (const std::vector<char>* known = notes_->find(page_, number)) {
       Answer result{};
       std::uint64_t told = 0;
@@ -99,7 +100,6 @@ class NotePage {
   }
 
  private:
-  static std::uint64_t number_of(const std::string& text);
   void keep(std::uint64_t number, std::vector<char> answer);
   void hand_on();
 

@@ -24,10 +24,8 @@ struct Ring {
   std::vector<double> mass, width;
 
   int size() const { return static_cast<int>(mass.size()); }
-  double apart(int i) const {
-    return 0.5 * (width[i] + width[(i + 1) % size()]);
-  }  // of ball i and the next, when
-     // touching
+  // Of ball i and the next, when touching.
+  double apart(int i) const { return 0.5 * (width[i] + width[(i + 1) % size()]); }
   double spare() const { return two_pi - std::accumulate(width.begin(), width.end(), 0.0); }
 };
 

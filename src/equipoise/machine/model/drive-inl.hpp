@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include "equipoise/machine/model/equations-inl.hpp"
-#include "equipoise/machine/model/speed_curve-inl.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"

@@ -13,11 +13,196 @@
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/equation_terms-inl.hpp"
 #include "equipoise/machine/model/parameters.hpp"
-#include "equipoise/machine/model/tilt-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
+
+// What a rotor that tilts adds to the equations of motion: the supports' moments, its gyroscopic moment, and the
+// balance of moments, whose unknown is the inertial acceleration B of the shaft's slope beside that of its centre, A
+// (docs/explanation/equations.md, "A rotor that tilts").
+
+// Sums over rotor and balls beside those of the plane rotor: what acts on the slope, and what it has to move.
+template <class T>
+struct TiltSums {
+  Vector2<T> couple;           // of the body: its couple unbalance, held balls included
+  Vector2<T> moment;           // H, without what springs, dampers and psi'' do
+  Matrix2<T> between, second;  // of the inertia: sums of mass times place along the shaft, and times its square
+};
+
+// A force in the plane of the centre and a moment, or a centre's and a slope's motion.
+template <class T>
+struct Wrench {
+  Vector2<T> centre, tilt;
+};
+
+// The 4 x 4 symmetric positive definite inertia of the centre and the slope, solved block by block. With all balls at
+// the centre of mass the centre's half is the plane rotor's.
+template <class T>
+class TiltInertia {
+ public:
+  // Every member is made from others: compilers give a member's implicit constructor no CPU target.
+  HWY_INLINE TiltInertia(const Matrix2<T>& centre, const Matrix2<T>& between, const Matrix2<T>& second)
+      : centre_(centre),
+        inverse_(T(1.0) / centre.determinant()),
+        share_(share(centre, between, inverse_)),
+        left_{second.xx - between.xx * share_.xx - between.xy * share_.yx,
+              second.xy - between.xx * share_.xy - between.xy * share_.yy,
+              second.yx - between.yx * share_.xx - between.yy * share_.yx,
+              second.yy - between.yx * share_.xy - between.yy * share_.yy},
+        left_inverse_(T(1.0) / left_.determinant()) {}
+
+  HWY_INLINE Wrench<T> solve(const Wrench<T>& f) const {
+    const Vector2<T> rest{f.tilt.x - share_.xx * f.centre.x - share_.yx * f.centre.y,
+                          f.tilt.y - share_.xy * f.centre.x - share_.yy * f.centre.y};
+    const Vector2<T> b = left_.adjugate(rest), a = centre_.adjugate(f.centre);
+    const Vector2<T> tilt{b.x * left_inverse_, b.y * left_inverse_};
+    return {{a.x * inverse_ - share_.xx * tilt.x - share_.xy * tilt.y,
+             a.y * inverse_ - share_.yx * tilt.x - share_.yy * tilt.y},
+            tilt};
+  }
+
+ private:
+  static HWY_INLINE Matrix2<T> share(const Matrix2<T>& centre, const Matrix2<T>& between, const T& inverse) {
+    const Vector2<T> x = centre.adjugate({between.xx, between.yx}), y = centre.adjugate({between.xy, between.yy});
+    return {x.x * inverse, y.x * inverse, x.y * inverse, y.y * inverse};
+  }
+
+  Matrix2<T> centre_;
+  T inverse_;
+  Matrix2<T> share_, left_;  // centre's inverse times between; what is left of second
+  T left_inverse_;
+};
+
+// psi'' under a torque, or the torque that the prescribed one needs. `solved` has force and moment, and gets A and B;
+// `taken`: the moment of the balls about the axis. As of the plane rotor: BallBalancer::solve_rotation().
+template <class T>
+HWY_INLINE BodyResult<T> solve_tilt(const Matrix2<T>& centre, const TiltSums<T>& sums, const Body<T>& body, T a,
+                                    const T* torque, const T& taken, Wrench<T>& solved) {
+  const TiltInertia<T> inertia(centre, sums.between, sums.second);
+  const Wrench<T> arm{{-body.unbalance.y, body.unbalance.x}, {-sums.couple.y, sums.couple.x}};
+  const auto row = [&](const Wrench<T>& v) {
+    return arm.centre.x * v.centre.x + arm.centre.y * v.centre.y + arm.tilt.x * v.tilt.x + arm.tilt.y * v.tilt.y;
+  };
+  solved = inertia.solve(solved);
+  if (torque) {
+    const Wrench<T> response = inertia.solve(arm);
+    a = (*torque + taken - row(solved)) / (body.inertia - row(response));
+    solved = {{solved.centre.x - a * response.centre.x, solved.centre.y - a * response.centre.y},
+              {solved.tilt.x - a * response.tilt.x, solved.tilt.y - a * response.tilt.y}};
+  }
+  return {solved.centre, a, torque ? *torque : body.inertia * a + row(solved) - taken};
+}
+
+// Of one rotor. `place`: of sx in the state.
+template <class T, int places>
+class TiltConstants {
+ public:
+  TiltConstants(const model::Parameters& p, int place)
+      : place_(place),
+        transverse_(p.tilt.transverse_inertia),
+        polar_(p.tilt.polar_inertia),
+        couple_(T(p.tilt.misalignment) * (transverse_ - polar_)) {
+    for (int k = 0; k < 2; ++k) {
+      const auto mean = [&](const auto& m) { return T(0.5 * (m[0][k] + m[1][k])); };
+      const auto half = [&](const auto& m) { return T(0.5 * (m[0][k] - m[1][k])); };
+      kappa_mean_[k] = mean(p.tilt.stiffness);
+      kappa_half_[k] = half(p.tilt.stiffness);
+      zeta_mean_[k] = mean(p.tilt.damping);
+      zeta_half_[k] = half(p.tilt.damping);
+    }
+    for (int i = 0; i < places; ++i) plane_[i] = T(p.tilt.plane[i]);
+  }
+
+  void take_lane(const TiltConstants& from, int lane) {
+    using C = TiltConstants;
+    take_lane_of(*this, from, lane, &C::transverse_, &C::polar_, &C::couple_, &C::kappa_mean_, &C::kappa_half_,
+                 &C::zeta_mean_, &C::zeta_half_, &C::plane_);
+  }
+
+  HWY_INLINE const T& plane(int i) const { return plane_[i]; }
+
+  // What springs and dampers exert on the supports: `force` has what the centre's motion alone gives, and gets the
+  // tilt's share; returns the moment.
+  HWY_INLINE Vector2<T> add_supports(const RotorMotion<T>& rotor, const T* z, Vector2<T>& force) const {
+    const T *s = z + place_, *c = z;
+    const auto exert = [&](int k, const T* at) {
+      const T x = at[0], y = at[1], u = at[2], v = at[3];
+      const T s2 = T(2.0) * rotor.sin_psi * rotor.cos_psi;
+      const T c2 = rotor.cos_psi * rotor.cos_psi - rotor.sin_psi * rotor.sin_psi;
+      return Vector2<T>{zeta_mean_[k] * u + kappa_mean_[k] * x + zeta_half_[k] * (c2 * u - s2 * v) +
+                            kappa_half_[k] * (c2 * x - s2 * y),
+                        zeta_mean_[k] * v + kappa_mean_[k] * y - zeta_half_[k] * (s2 * u + c2 * v) -
+                            kappa_half_[k] * (s2 * x + c2 * y)};
+    };
+    const Vector2<T> by_tilt = exert(0, s), across = exert(0, c), own = exert(1, s);
+    force = {force.x + by_tilt.x, force.y + by_tilt.y};
+    return {across.x + own.x, across.y + own.y};
+  }
+
+  // The rotor at psi'': its supports, of which `force_x` and `force_y` lack the tilt's share, its couple unbalance and
+  // its gyroscopic moment.
+  HWY_INLINE void add_body(const RotorMotion<T>& rotor, const T* z, T& force_x, T& force_y, TiltSums<T>& sums) const {
+    Vector2<T> force{T(0.0), T(0.0)};
+    const Vector2<T> moment = add_supports(rotor, z, force);
+    force_x = force_x - force.x;
+    force_y = force_y - force.y;
+    const T w2 = rotor.speed * rotor.speed, a = rotor.acceleration, spin = polar_ * rotor.speed;
+    sums.couple.x = sums.couple.x + couple_;
+    sums.moment = {sums.couple.x * w2 + sums.couple.y * a - moment.x - spin * z[place_ + 3],
+                   sums.couple.y * w2 - sums.couple.x * a - moment.y + spin * z[place_ + 2]};
+    sums.second.xx = sums.second.xx + transverse_;
+    sums.second.yy = sums.second.yy + transverse_;
+  }
+
+  // Ball i at (c, s), which pushes its race outward and along it, and resists outward with `mass`.
+  HWY_INLINE void add_ball(int i, const T& outward, const T& along, const T& mass, const T& s, const T& c,
+                           TiltSums<T>& sums) const {
+    const T& z = plane_[i];
+    sums.moment = {sums.moment.x + z * (outward * c - along * s), sums.moment.y + z * (outward * s + along * c)};
+    const T first = z * mass, second = z * first;
+    const T cc = c * c, sc = s * c, ss = s * s;
+    add(sums.between, first * cc, first * sc, first * ss);
+    add(sums.second, second * cc, second * sc, second * ss);
+  }
+
+  // Ball i, held: a part of the body, with `mass` at (c, s).
+  HWY_INLINE void add_held(int i, const T& mass, const T& s, const T& c, TiltSums<T>& sums) const {
+    const T first = plane_[i] * mass, second = plane_[i] * first;
+    sums.couple = {sums.couple.x + first * c, sums.couple.y + first * s};
+    add(sums.between, first, T(0.0), first);
+    add(sums.second, second, T(0.0), second);
+  }
+
+  // What acceleration ball i's race has, less the Euler and centrifugal parts.
+  HWY_INLINE Vector2<T> in_plane(int i, const Wrench<T>& motion) const {
+    return {motion.centre.x + plane_[i] * motion.tilt.x, motion.centre.y + plane_[i] * motion.tilt.y};
+  }
+
+  // d/dt of (sx, sy, us, vs).
+  HWY_INLINE void move(const RotorMotion<T>& rotor, const T* z, const Vector2<T>& b, T* dz) const {
+    const T w = rotor.speed;
+    const T* s = z + place_;
+    T* ds = dz + place_;
+    ds[0] = s[2] + w * s[1];
+    ds[1] = s[3] - w * s[0];
+    ds[2] = b.x + w * s[3];
+    ds[3] = b.y - w * s[2];
+  }
+
+ private:
+  static HWY_INLINE void add(Matrix2<T>& m, const T& xx, const T& xy, const T& yy) {
+    m = {m.xx + xx, m.xy + xy, m.yx + xy, m.yy + yy};
+  }
+
+  int place_;
+  T transverse_, polar_, couple_;
+  T kappa_mean_[2], kappa_half_[2], zeta_mean_[2], zeta_half_[2];  // of {k12, k22} and {c12, c22}
+  T plane_[places]{};
+};
+
+// Stands where a rotor that does not tilt has nothing.
+struct NoTilt {};
 
 // A ball that rolls resists accelerations as two masses do: 2/7 of it fixed to the race's surface, where they touch,
 // and 5/7 that slides (docs/explanation/equations.md, "Balls that roll"). The race's centre feels the centrifugal force

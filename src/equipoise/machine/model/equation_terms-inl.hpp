@@ -1,5 +1,5 @@
-// What the equations of motion are told and what they tell: which terms are on, the rotor's motion, bodies, what acts
-// on balls. Included once per CPU target.
+// What the equations of motion are told and what they tell: which terms are on, the rotor's motion, bodies and their
+// unbalance, what acts on balls. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_EQUATION_TERMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_EQUATION_TERMS_INL
 #undef EQUIPOISE_MODEL_EQUATION_TERMS_INL
@@ -8,6 +8,7 @@
 #endif
 
 #include "equipoise/core/base/pack-inl.hpp"
+#include "equipoise/machine/drives/speed.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -22,7 +23,7 @@ struct Terms {
   bool body = false;     // any body in the rotor's place: a race off its centre, balls that are part of it; a motor
   bool actions = false;  // balls may be held, resist rolling or push each other
   bool rolls = true;     // balls roll if the parameters say so
-  bool tilt = false;     // the rotor tilts, and balls run in planes of their own (tilt-inl.hpp)
+  bool tilt = false;     // the rotor tilts, and balls run in planes of their own (equation_constants-inl.hpp)
 };
 
 // Of any rotor at any drive, as a body; one that tilts has a centred race and balls that slide.
@@ -96,6 +97,59 @@ struct BodyResult {
   Vector2<T> race;  // acceleration of the race's centre, plus gravity
   T acceleration;   // psi''
   T torque;         // on the rotor: the motor's, or the one that the prescribed motion needs
+};
+
+// `of_rotor` plus sum mu_i e^{i phi_i} over n balls.
+template <class T>
+HWY_INLINE Vector2<T> sum_of_unbalances(Vector2<T> of_rotor, int n, const T* mass, const T* phi) {
+  for (int i = 0; i < n; ++i) {
+    T sine, cosine;
+    sin_cos(phi[i], sine, cosine);
+    of_rotor.x = multiply_add(mass[i], cosine, of_rotor.x);
+    of_rotor.y = multiply_add(mass[i], sine, of_rotor.y);
+  }
+  return of_rotor;
+}
+
+// What bends the speed of a prescribed motion over one segment: model::SpeedCurve in numbers of type T.
+template <class T>
+class CurveMotion {
+ public:
+  explicit CurveMotion(const model::SpeedCurve& c) : present_(c.present()), rate_(c.rate) {
+    for (int k = 0; k < terms; ++k) by_[k] = T(c.by[k]);
+  }
+
+  // For a lane without a curve every coefficient is 0.
+  void take_lane(const CurveMotion& from, int lane) {
+    take_lane_of(*this, from, lane, &CurveMotion::rate_, &CurveMotion::by_);
+    present_ = present_ || from.present_;
+  }
+
+  bool present() const { return present_; }
+  T speed(const T& tau) const {
+    const T u = rate_ * tau;
+    return u * sum(u, [](int) { return 1.0; });
+  }
+  T acceleration(const T& tau) const {
+    return rate_ * sum(rate_ * tau, [](int k) { return k + 1.0; });
+  }
+  T angle(const T& tau) const {
+    const T u = rate_ * tau;
+    return tau * u * sum(u, [](int k) { return 1.0 / (k + 2.0); });
+  }
+
+ private:
+  static constexpr int terms = model::SpeedCurve::terms;
+
+  template <class Factor>
+  T sum(const T& u, const Factor& factor) const {
+    T sum = T(0.0);
+    for (int k = terms - 1; k >= 0; --k) sum = sum * u + by_[k] * T(factor(k));
+    return sum;
+  }
+
+  bool present_;
+  T rate_, by_[terms];
 };
 
 }  // namespace HWY_NAMESPACE

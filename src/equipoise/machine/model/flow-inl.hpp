@@ -9,7 +9,6 @@
 
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/machine/model/equations-inl.hpp"
-#include "equipoise/machine/model/speed_curve-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

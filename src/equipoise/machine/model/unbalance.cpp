@@ -1,7 +1,7 @@
-// The sum of unbalance-inl.hpp, in doubles.
+// The sum of all unbalances, in doubles.
 #include "equipoise/machine/model/unbalance.hpp"
 
-#include "equipoise/machine/model/unbalance-inl.hpp"
+#include "equipoise/machine/model/equation_terms-inl.hpp"
 
 namespace equipoise::model {
 

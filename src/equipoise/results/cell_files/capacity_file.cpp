@@ -2,7 +2,6 @@
 #include "equipoise/results/cell_files/capacity_file.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,8 +16,6 @@ namespace equipoise {
 namespace {
 
 constexpr io::CellFileKind capacity_kind{"capacity", io::Journal::Kind::trial};
-constexpr double no_capacity = std::numeric_limits<double>::quiet_NaN();
-
 void add_boundaries(io::CellDataset& data, const std::string& unit, const CapacityResult& result) {
   const auto add = [&](const char* name, const std::string& units, const std::string& meaning,
                        double (*value)(const CapacityCell&)) {
@@ -28,7 +25,7 @@ void add_boundaries(io::CellDataset& data, const std::string& unit, const Capaci
   add("capacity", unit,
       fmt::format("{}: the largest at which a share of {} of the starts {}", result.key, result.at_least,
                   result.asked_of_one()),
-      [](const CapacityCell& c) { return c.value.value_or(no_capacity); });
+      [](const CapacityCell& c) { return c.value.value_or(no_number); });
   add("capacity_low", unit, fmt::format("{}: up to here the share is as large with 95 % confidence", result.key),
       [](const CapacityCell& c) { return c.low; });
   add("capacity_high", unit, fmt::format("{}: here the share is smaller with 95 % confidence", result.key),
@@ -49,7 +46,7 @@ void add_trials(io::CellDataset& data, const std::string& unit, const CapacityRe
                        double (*value)(const CapacityTrial&)) {
     const auto of_trial = [&result, value](std::size_t cell, std::size_t k) {
       const std::vector<CapacityTrial>& trials = result.cells[cell]->trials;
-      return k < trials.size() ? value(trials[k]) : no_capacity;
+      return k < trials.size() ? value(trials[k]) : no_number;
     };
     data.by_cell(name, units, meaning, of_trial, {trial});
   };

@@ -2,7 +2,6 @@
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,8 +10,6 @@
 namespace equipoise::io {
 
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 std::string variable_name(const std::string& key) {
   std::string name = key;
@@ -42,10 +39,10 @@ void CellDataset::by_cell(const std::string& name, const std::string& units, con
   const std::size_t width = along.empty() ? 1 : dimensions[along.front()].length;
   const auto value = [&records = records_, values, width](std::size_t place) {
     const std::size_t cell = place / width;
-    return records.has(cell) ? values(cell, place % width) : no_value;
+    return records.has(cell) ? values(cell, place % width) : no_number;
   };
   DataColumn& column = add(name, units, meaning, all, value);
-  column.fill = no_value;
+  column.fill = no_number;
   if (!coordinates_.empty()) column.attributes.emplace_back("coordinates", coordinates_);
 }
 

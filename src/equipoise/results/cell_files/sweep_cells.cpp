@@ -81,11 +81,8 @@ constexpr char wrong_length[] = "has {} entries instead of {}";
 using Json = nlohmann::json;
 
 template <class T>
-inline constexpr bool is_list = false;
-template <class T>
-inline constexpr bool is_list<std::vector<T>> = true;
-template <class T, std::size_t n>
-inline constexpr bool is_list<std::array<T, n>> = true;
+inline constexpr bool is_list =
+    !std::is_same_v<T, std::string> && (bytes_detail::is_list<T> || bytes_detail::is_array<T>);
 template <class T>
 inline constexpr bool is_shared = false;
 template <class T>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -22,8 +21,6 @@ namespace equipoise {
 namespace {
 
 constexpr io::CellFileKind sweep_kind{"sweep", io::Journal::Kind::cell};
-constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
-
 // The last record of a cell counts.
 template <class Cells>
 io::CellFile::Take taken_into(Cells& cells) {
@@ -106,7 +103,7 @@ class SweepColumns {
   void of_shares(const char* name, const char* meaning, const std::function<double(const Share&)>& value) {
     const auto of_outcome = [this, value](const SweepCell& cell, std::size_t k) {
       const Share* share = share_of(cell, codes_[k]);
-      return share ? value(*share) : no_figure;
+      return share ? value(*share) : no_number;
     };
     column(name, "1", meaning, of_outcome, {outcome_});
   }
@@ -115,7 +112,7 @@ class SweepColumns {
                   const std::function<std::optional<double>(const SweepOutcome&)>& value) {
     const auto of_outcome = [this, value](const SweepCell& cell, std::size_t k) {
       const SweepOutcome* outcome = outcome_of(cell, codes_[k]);
-      return outcome ? value(*outcome).value_or(no_figure) : no_figure;
+      return outcome ? value(*outcome).value_or(no_number) : no_number;
     };
     column(name, units, meaning, of_outcome, {outcome_});
   }
@@ -147,7 +144,7 @@ class SweepColumns {
                                     double QuantileEstimate::*part) {
         const auto of_quantile = [k, part](const SweepCell& cell, std::size_t q) {
           const bool told = cell.transients && cell.transients->tells(k);
-          return told ? cell.transients->figures[k].quantiles[q].*part : no_figure;
+          return told ? cell.transients->figures[k].quantiles[q].*part : no_number;
         };
         column(transient_figures[k].name + suffix, "1", words + transient_figures[k].long_name(), of_quantile,
                {quantile});
@@ -172,7 +169,7 @@ class SweepColumns {
     const auto part = [&](const std::string& suffix, const std::string& meaning, double Share::*member) {
       column(name + suffix, "1", meaning, [of, member](const SweepCell& cell, std::size_t) {
         const auto share = cell.transients ? of(*cell.transients) : std::nullopt;
-        return share ? *share.*member : no_figure;
+        return share ? *share.*member : no_number;
       });
     };
     part("", words, &Share::share);

@@ -2,12 +2,15 @@
 // This room: columns of numbers: name, meaning, unit, getter, one line each.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
+
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();  ///< where there is none
 
 struct Column {
   const char* name;                                          ///< in files, JSON and arrays

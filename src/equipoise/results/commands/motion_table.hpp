@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string_view>
 
 #include "equipoise/results/columns/column.hpp"
@@ -14,7 +13,6 @@ namespace equipoise {
 struct MotionNumber : Column {
   double (*value)(const Motion&);  ///< not-a-number where a motion has none
 };
-inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 inline constexpr std::array<MotionNumber, 6> motion_numbers{{
     {{"period", "period of a periodic motion", study::Dimension::time},

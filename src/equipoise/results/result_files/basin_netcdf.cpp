@@ -23,8 +23,6 @@ namespace {
 
 using Type = DataColumn::Type;
 
-constexpr double not_told = std::numeric_limits<double>::quiet_NaN();
-
 // Counts are integers as far as those go, which is enough for any run of this century.
 Type count_type(const BasinContents& c) {
   return c.starts <= static_cast<std::uint64_t>(std::numeric_limits<int>::max()) ? Type::integer : Type::real;
@@ -71,7 +69,7 @@ void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c)
                        std::vector<double> OutcomeShare::*of) {
     data.add(name, units, meaning, {kind, quantile}, [&c, of](std::size_t k) {
       const std::vector<double>& left = c.summary[k / width].*of;
-      return left.empty() ? not_told : left[k % width];
+      return left.empty() ? no_number : left[k % width];
     });
   };
   add("kind_left_unbalance", "1",
@@ -193,14 +191,14 @@ void add_one_bodies(Dataset& data, const WithoutBalls& without) {
   data.add("one_body_mean", "1", "mean of the figure over runs in which it is finite, dimensionless as in its column",
            {body, figure}, [summary_of](std::size_t k) {
              const SampleSummary& s = summary_of(k);
-             return s.open < s.count ? s.mean : not_told;
+             return s.open < s.count ? s.mean : no_number;
            });
   data.add("one_body_quantile", "1",
            "quantile of the figure over runs, dimensionless as in its column; infinite where it has no end, missing "
            "where it was not asked",
            {body, figure, quantile}, [summary_of](std::size_t k) {
              const SampleSummary& s = summary_of(k / width);
-             return s.count > 0 ? s.quantiles[k % width].value : not_told;
+             return s.count > 0 ? s.quantiles[k % width].value : no_number;
            });
 }
 

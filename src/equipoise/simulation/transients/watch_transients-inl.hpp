@@ -18,7 +18,6 @@
 #include "equipoise/machine/model/energy-inl.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/machine/model/unbalance-inl.hpp"
 #include "equipoise/simulation/transients/gather_transients-inl.hpp"
 #include "equipoise/results/types/transient_table.hpp"
 

@@ -31,7 +31,7 @@ struct KeyReading {
 
   void operator()(std::monostate) const {}
   void operator()(double* v) const { *v = reader.number(key.name, wanted); }
-  void operator()(std::optional<double>* v) const { *v = reader.optional_number(key.name, wanted); }
+  void operator()(std::optional<double>* v) const { *v = reader.number(key.name, wanted); }
   void operator()(std::vector<double>* v) const { *v = reader.numbers(key.name, wanted); }
   void operator()(std::string* v) const { *v = reader.text(key.name).value_or(""); }
   void operator()(std::vector<std::string>* v) const { *v = reader.texts(key.name); }

@@ -117,8 +117,7 @@ std::vector<Key> all_keys() {
        "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
        "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where "
-       "they "
-       "are all supports; by default none",
+       "they are all supports; by default none",
        nullptr, has_bearings},
       {"rotor.tilt.bearings_stiffness", at<&Study::bearings_stiffness>, not_negative, D::stiffness, none,
        "of each bearing, or of each in X and Y in turn, in k; by default each is known if two are all supports",
@@ -358,9 +357,7 @@ std::vector<Key> all_keys() {
        "radial, between rotor and housing, all around where the rotor rests, in R"},
       {"standards.severity_class", at<norms, &Standards::severity_class>, any, bare, none,
        "of ISO 10816-1:1995, for zones of severity (by default none are told): I small machines, up to 15 kW; II up to "
-       "75 kW; III large ones, "
-       "rigid; "
-       "IV large ones, on soft supports",
+       "75 kW; III large ones, rigid; IV large ones, on soft supports",
        nullptr, has_class},
       {"standards.hand_held", at<norms, &Standards::hand_held>, any, bare, none,
        "`true`: hands hold what the rotor shakes; daily exposure by ISO 5349-1 and Directive 2002/44/EC", nullptr,

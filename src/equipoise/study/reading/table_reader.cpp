@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/contents/keys.hpp"
@@ -66,12 +67,6 @@ bool looks_physical(const StudyValue& value) {
   return text && !text->empty() && std::string_view("+-.0123456789").find(text->front()) != std::string::npos;
 }
 
-std::string trimmed(const std::string& text) {
-  constexpr std::string_view blank = " \t";
-  const std::size_t first = text.find_first_not_of(blank);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
 // A number as people also type it: ".05", "5.", which TOML has not.
 std::optional<double> number_beside_point(const std::string& text) {
   return text.find('.') == std::string::npos ? std::nullopt : number_of_all(text);
@@ -102,8 +97,8 @@ bool holds_tables(const StudyValue& value) {
 
 void apply_override(StudyFile& file, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string key = key_here(file.root, trimmed(text.substr(0, equals)));
-  const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
+  const std::string key = key_here(file.root, std::string(trimmed(text.substr(0, equals), " \t")));
+  const std::string value = equals == text.size() ? "" : std::string(trimmed(text.substr(equals + 1), " \t"));
   const bool has_empty_part =
       key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (has_empty_part || value.empty())
@@ -283,12 +278,6 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
 
 double TableReader::number(const std::string& key, const Wanted& wanted) {
   return as_number(key, require(key, wanted.text()), wanted);
-}
-
-std::optional<double> TableReader::optional_number(const std::string& key, const Wanted& wanted) {
-  const StudyValue* value = find(key);
-  if (!value) return std::nullopt;
-  return as_number(key, *value, wanted);
 }
 
 std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high) {

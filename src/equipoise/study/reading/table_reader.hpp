@@ -101,7 +101,6 @@ class TableReader {
   /// A reader of the table that the key holds; empty if it holds none.
   std::optional<TableReader> inner(const std::string& key);
   double number(const std::string& key, const Wanted& wanted);
-  std::optional<double> optional_number(const std::string& key, const Wanted& wanted);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
   /// A value of an enumeration by its name; `names` are those of its first values, in order.

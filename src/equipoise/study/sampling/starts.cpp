@@ -16,13 +16,6 @@ void fractions_of(std::uint64_t seed, std::uint64_t index, StartNumbers group, i
   }
 }
 
-// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo) gives different numbers to the few keys that a study may have.
-std::uint64_t number_of(std::string_view name) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
-
 }  // namespace
 
 void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi) {
@@ -36,7 +29,7 @@ void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double*
 
 double start_fraction(std::uint64_t seed, std::uint64_t index, std::string_view name) {
   const auto group = static_cast<std::uint64_t>(StartNumbers::parameters);
-  return fraction(random_words({seed, 0}, {index, number_of(name), group, 0})[0]);
+  return fraction(random_words({seed, 0}, {index, hash_of(name), group, 0})[0]);
 }
 
 }  // namespace equipoise

@@ -197,9 +197,7 @@ std::string in_plain_signs(std::string_view text) {
     else
       plain += character;
   }
-  plain.erase(0, plain.find_first_not_of(' '));
-  plain.erase(plain.find_last_not_of(' ') + 1);
-  return plain;
+  return std::string(trimmed(plain));
 }
 
 // Reads the text of `into`. Its functions return nothing where the text has another form; units that are not known

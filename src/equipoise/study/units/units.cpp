@@ -109,12 +109,6 @@ std::string unit_hint(const std::string& name, bool alone, const std::vector<Dim
   return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 // A whole number of up to four digits at the front; removes it. 0 if there is none.
 int take_whole(std::string_view& text) {
   int number = 0;
