@@ -17,19 +17,20 @@ struct BatchJob {
   std::vector<PilotRecord>* pilot = nullptr;  ///< optional, with a rule
 };
 
-/// Rotors at a prescribed speed with a centred race, isotropic supports, no gravity, and balls that slide.
-bool run_plain_batch(const BatchJob& job);
-/// Rotors at a prescribed speed with a centred race.
-bool run_general_batch(const BatchJob& job);
-/// Every smooth system.
-bool run_smooth_batch(const BatchJob& job);
-/// Every system with contact or dry friction.
-bool run_hybrid_batch(const BatchJob& job);
-/// Every rotor that tilts.
-bool run_tilting_batch(const BatchJob& job);
-/// Driven rotors whose balls are held, to the task's end.
+/// The kernel of a kind, compiled in a source of its own.
+template <BatchKind kind>
+bool run_kernel(const BatchJob& job);
+template <>
+bool run_kernel<BatchKind::plain>(const BatchJob& job);
+template <>
+bool run_kernel<BatchKind::turning>(const BatchJob& job);
+template <>
+bool run_kernel<BatchKind::smooth>(const BatchJob& job);
+template <>
+bool run_kernel<BatchKind::hybrid>(const BatchJob& job);
+template <>
+bool run_kernel<BatchKind::tilting>(const BatchJob& job);
+/// Rotors whose balls are held, to the task's end.
 bool advance_held_batch(const BatchJob& job);
-/// Driven rotors whose balls are held, until `rule` ends them.
-bool run_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends);
 
 }  // namespace equipoise

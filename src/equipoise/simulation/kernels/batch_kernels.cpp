@@ -71,15 +71,15 @@ bool run_kind(const BatchJob& job) {
   if (job.task.held) return advance_held_batch(job);
   switch (job.task.kind()) {
     case BatchKind::smooth:
-      return run_smooth_batch(job);
+      return run_kernel<BatchKind::smooth>(job);
     case BatchKind::hybrid:
-      return run_hybrid_batch(job);
+      return run_kernel<BatchKind::hybrid>(job);
     case BatchKind::tilting:
-      return run_tilting_batch(job);
+      return run_kernel<BatchKind::tilting>(job);
     case BatchKind::turning:
-      return run_general_batch(job);
+      return run_kernel<BatchKind::turning>(job);
     default:
-      return run_plain_batch(job);
+      return run_kernel<BatchKind::plain>(job);
   }
 }
 
@@ -101,10 +101,6 @@ bool advance_batch(const BatchTask& task, std::vector<Fate>& fates) { return run
 bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
                     std::vector<PilotRecord>* pilot) {
   return run_batch({task, fates, &rule, pilot});
-}
-
-bool follow_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
-  return run_clamped_batch(task, rule, ends);
 }
 
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {

@@ -1,22 +1,26 @@
-// The observer of a lane block of driven rotors with clamped balls. It ends trajectories just before they reach the
-// release speed, and those that are steady without reaching it. Included once per CPU target.
-#if defined(EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
-#undef EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
-#else
-#define EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
-#endif
-
+// Kernels for rotors whose balls are held: with the rotor they are one body, whatever their number. Highway's
+// foreach_target compiles this file once per CPU target.
 #include <cstddef>
+#include <memory>
 #include <vector>
 
-#include "equipoise/simulation/batch/batch_watch-inl.hpp"
-#include "equipoise/simulation/rule/classify-inl.hpp"
+#include "equipoise/simulation/kernels/batch_job.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/simulation/kernels/held_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/simulation/kernels/kernel-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
+// The observer of driven rotors with clamped balls. It ends trajectories just before they reach the release speed, and
+// those that are steady without reaching it.
+//
 // Hooks: see NoObserver in simulation/batch/batch_block-inl.hpp; one group of lanes. A rotor counts as having reached
 // the speed if it has at one of two stages of a step or at its end; dense output later locates the time. `watch` may be
 // null; it does not see the step in which balls are released.
@@ -104,8 +108,37 @@ class ClampedBalls {
   unsigned crossing_ = 0;
 };
 
+const auto held_rotors = [] {
+  const auto make = [](const OwnRotor& own) { return HeldFlow<Pack>(own.system); };
+  return OwnRotors<decltype(make)>{make};
+}();
+
+bool follow_clamped(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
+  const auto watch = watch_of(task);
+  const auto observer = std::make_unique<ClampedBalls>(task, rule, watch.get(), ends);
+  return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
+}
+
+bool advance_held(const BatchJob& job) {
+  WatchForLoss fates(job.fates);
+  return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
 HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(follow_clamped);
+HWY_EXPORT(advance_held);
+
+bool advance_held_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(advance_held)(job); }
+
+bool follow_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
+  return HWY_DYNAMIC_DISPATCH(follow_clamped)(task, rule, ends);
+}
+
+}  // namespace equipoise
 #endif
