@@ -13,11 +13,6 @@ namespace equipoise {
 namespace {
 namespace kernels = HWY_NAMESPACE;
 
-struct EventSource {
-  using Flow = kernels::EventRun;
-  static constexpr bool sags = true;
-};
-
 // Infers events from the changes at the beginning of the next step.
 class EventRecorder {
  public:
@@ -82,14 +77,8 @@ IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& z,
                                 EventLog& log, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
                                 const StopFlag* stop) {
   kernels::EventRun run(system, z.data(), 0.0, kernels::event_scale(system, tolerance));
-  MotionStatistics unused;
-  MotionStatistics& sums = statistics ? *statistics : unused;
-  if (sums.spacing == 0.0) sums.spacing = sample_spacing(system, z);
-  const double spacing = sums.spacing;
-  Gatherer<EventSource> gatherer(system, run, sums, z.data());
-  Recorder recorder(system.balls(), sums, z.data());
+  Stretch<kernels::EventRun, true> stretch(system, run, z, statistics, samples);
   EventRecorder events(system, run, log);
-  Sampler sampler(z, spacing, samples);
   double y[most_components];
   const IntegrationStatus status = run.advance(
       duration,
@@ -97,19 +86,15 @@ IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& z,
         if (run.events() != events.seen()) {
           at(from, y);
           events.enter(from, y);
-          gatherer.enter(from, at);
+          stretch.enter(from, at);
         }
-        if (statistics) {
-          gatherer.step(from, to, spacing, at);
-          recorder.step(to, at);
-        }
-        sampler.step(to, at);
+        stretch.step(from, to, at);
         at(to, y);
         events.end_step(y);
         return false;
       },
       stop);
-  if (statistics) gatherer.finish(duration);
+  stretch.finish(duration);
   run.state(z.data());
   if (run.events() != events.seen()) events.enter(run.time(), z.data());
   return is_set(stop) ? IntegrationStatus::failed : status;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,12 +40,10 @@ struct Instant {
   }
 };
 
-// `Source`: the flow, and whether r is measured from the sag under gravity.
-template <class Source>
+// `sags`: r is measured from the sag under gravity.
+template <class Flow, bool sags>
 class Gatherer {
  public:
-  using Flow = typename Source::Flow;
-
   Gatherer(const model::System& system, const Flow& flow, MotionStatistics& statistics, const double* z)
       : n(system.balls()),
         system_(system),
@@ -107,7 +106,7 @@ class Gatherer {
     flow_(at.t, at.z, at.dz);
     at.x = at.z[0];
     at.y = at.z[1];
-    if constexpr (Source::sags) {
+    if constexpr (sags) {
       const double psi = system_.layout().psi < 0 ? system_.speed() * at.t : at.z[system_.layout().psi];
       at.x -= sag_ * std::sin(psi);
       at.y -= sag_ * std::cos(psi);
@@ -248,6 +247,43 @@ class Sampler {
   const double spacing_;
   std::vector<Eigen::VectorXd>* const samples_;
   std::size_t next_ = 1;
+};
+
+// What is asked for of one stretch from state `z` on: statistics, samples, both or neither.
+template <class Flow, bool sags>
+class Stretch {
+ public:
+  Stretch(const model::System& system, const Flow& flow, const Eigen::VectorXd& z, MotionStatistics* statistics,
+          std::vector<Eigen::VectorXd>* samples)
+      : spacing_(statistics && statistics->spacing > 0.0 ? statistics->spacing : sample_spacing(system, z)),
+        sampler_(z, spacing_, samples) {
+    if (!statistics) return;
+    statistics->spacing = spacing_;
+    gatherer_.emplace(system, flow, *statistics, z.data());
+    recorder_.emplace(system.balls(), *statistics, z.data());
+  }
+
+  template <class StateAt>
+  void enter(double t, StateAt& at) {
+    if (gatherer_) gatherer_->enter(t, at);
+  }
+  template <class StateAt>
+  void step(double from, double to, StateAt& at) {
+    if (gatherer_) {
+      gatherer_->step(from, to, spacing_, at);
+      recorder_->step(to, at);
+    }
+    sampler_.step(to, at);
+  }
+  void finish(double duration) {
+    if (gatherer_) gatherer_->finish(duration);
+  }
+
+ private:
+  const double spacing_;
+  std::optional<Gatherer<Flow, sags>> gatherer_;
+  std::optional<Recorder> recorder_;
+  Sampler sampler_;
 };
 
 }  // namespace equipoise

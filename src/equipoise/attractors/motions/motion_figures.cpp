@@ -7,10 +7,7 @@
 #include <limits>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
-#include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/attractors/periodic_orbits/event_run-inl.hpp"
 #include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
@@ -21,6 +18,8 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
+
+using State = std::array<double, kernels::TiltSource::dimension>;  // with room for the largest
 
 constexpr double figure_tolerance = 1e-9;  // figures are stored in single precision, 6e-8
 constexpr double least_stretch = 2000;     // for a torus or chaos
@@ -54,59 +53,43 @@ struct Watched {
   }
 };
 
-template <class Flow>
-MotionFigures followed(const Watched& watched, const Flow& flow, const Motion& motion, double duration) {
-  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
-  const model::System& system = watched.system;
-  TransientWatch watch(one_window());
-  std::array<double, Flow::dimension> z;
-  std::copy_n(motion.state.data(), motion.state.size(), z.begin());
-  watch.begin(sample(0.0, z.data()));
-  if (duration > 0.0) {
-    const auto scale = kernels::error_scale<Flow::dimension>(system, figure_tolerance);
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
-    integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
-      watch.step_to(to, [&](double t) {
-        std::array<double, Flow::dimension> at;
-        state_at(t, at.data());
-        return sample(t, at.data());
-      });
-    });
-  }
-  return figures_of(watch.sums());
-}
-
-// Rates may jump at events.
-MotionFigures followed_with_events(const Watched& watched, const Motion& motion, double duration) {
-  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
-  const model::System& system = watched.system;
-  kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, figure_tolerance));
-  TransientWatch watch(one_window());
-  long events = -1;
-  std::array<double, kernels::EventRun::dimension> z;
-  run.advance(duration, [&](double from, double to, auto& state_at) {
-    state_at(from, z.data());
-    if (events != run.events()) watch.begin(sample(from, z.data()));
-    events = run.events();
-    watch.step_to(to, [&](double t) {
-      state_at(t, z.data());
-      return sample(t, z.data());
-    });
-    return false;
-  });
-  return figures_of(watch.sums());
-}
-
 MotionFigures followed(const Watched& watched, const Motion& motion, double duration) {
-  if (motion.eventful && duration > 0.0) return followed_with_events(watched, motion, duration);
-  using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
-  using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
-  using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
   const model::System& system = watched.system;
-  if (system.tilts()) return followed(watched, TiltFlow(system, 0.0), motion, duration);
-  if (!system.plain()) return followed(watched, GeneralFlow(system, 0.0), motion, duration);
-  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
-  return followed(watched, PlainFlow(system.parameters(), segment), motion, duration);
+  TransientWatch watch(one_window());
+  State z{};
+  std::copy_n(motion.state.data(), motion.state.size(), z.begin());
+  const auto step = [&](double to, auto& state_at) {
+    watch.step_to(to, [&](double t) {
+      State at;
+      state_at(t, at.data());
+      return watched.sample(t, at.data());
+    });
+  };
+  if (motion.eventful && duration > 0.0) {  // rates may jump at events
+    kernels::EventRun run(system, z.data(), 0.0, kernels::event_scale(system, figure_tolerance));
+    long events = -1;
+    run.advance(duration, [&](double from, double to, auto& state_at) {
+      state_at(from, z.data());
+      if (events != run.events()) watch.begin(watched.sample(from, z.data()));
+      events = run.events();
+      step(to, state_at);
+      return false;
+    });
+    return figures_of(watch.sums());
+  }
+  watch.begin(watched.sample(0.0, z.data()));
+  if (!(duration > 0.0)) return figures_of(watch.sums());
+  const auto follow = [&]<class Source>(Source) {
+    kernels::SmoothRun<Source>(system, 0.0, figure_tolerance)
+        .advance(duration, z.data(), [&](double, double to, auto&& state_at) { step(to, state_at); });
+  };
+  if (system.tilts())
+    follow(kernels::TiltSource{});
+  else if (!system.plain())
+    follow(kernels::GeneralSource{});
+  else
+    follow(kernels::PlainSource<model::any_count, kernels::Terms{}>{});
+  return figures_of(watch.sums());
 }
 
 double stretch(const model::Parameters& p, const Motion& motion) {

@@ -5,63 +5,11 @@
 #include <cmath>
 
 #include "equipoise/attractors/motions/gather_motion.hpp"
-#include "equipoise/simulation/integrate/adaptive-inl.hpp"
-#include "equipoise/machine/model/ball_count.hpp"
-#include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
 
 namespace equipoise {
 
-namespace {
 namespace kernels = HWY_NAMESPACE;
-
-// The equations of a system, and their angle if the state does not contain it.
-template <kernels::Terms terms>
-struct PlainFlow {
-  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
-  static constexpr bool sags = terms.gravity;
-  static Flow make(const model::System& system) {
-    return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
-  }
-};
-template <bool tilt>
-struct GeneralFlow {
-  using Flow = kernels::SmoothFlow<double, model::any_count, tilt>;
-  static constexpr bool sags = true;
-  static Flow make(const model::System& system) { return {system, 0.0}; }
-};
-template <class Source>
-IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, double duration, double tolerance,
-                               MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
-                               const StopFlag* stop) {
-  using Flow = typename Source::Flow;
-  const auto scale = kernels::error_scale<Flow::dimension>(system, tolerance);
-  const Flow flow = Source::make(system);
-  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
-  if (!statistics && !samples)
-    return integrator.advance(
-        0.0, duration, z.data(), [](double, double, auto&&) {}, stop);
-  MotionStatistics unused;
-  MotionStatistics& sums = statistics ? *statistics : unused;
-  if (sums.spacing == 0.0) sums.spacing = sample_spacing(system, z);
-  const double spacing = sums.spacing;
-  Gatherer<Source> gatherer(system, flow, sums, z.data());
-  Recorder recorder(system.balls(), sums, z.data());
-  Sampler sampler(z, spacing, samples);
-  const IntegrationStatus status = integrator.advance(
-      0.0, duration, z.data(),
-      [&](double t, double t_new, auto at) {
-        gatherer.step(t, t_new, spacing, at);
-        recorder.step(t_new, at);
-        sampler.step(t_new, at);
-      },
-      stop);
-  gatherer.finish(duration);
-  return status;
-}
-
-}  // namespace
 
 void AngleHistory::add_distance(double angle) {
   const double distance = std::fabs(angle - two_pi * std::floor(angle / two_pi + 0.5));  // faster than wrapped()
@@ -115,15 +63,16 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
     EventLog log;
     return follow_events(system, state, duration, tolerance, log, statistics, samples, stop);
   }
-  using Autonomous = PlainFlow<kernels::Terms{false, false, false}>;
-  using AngleDependent = PlainFlow<kernels::Terms{false, true, true}>;
-  const auto by = [&]<class Source>(Source) {
-    return follow_balls<Source>(system, state, duration, tolerance, statistics, samples, stop);
-  };
-  const IntegrationStatus status = system.tilts()        ? by(GeneralFlow<true>{})
-                                   : !system.plain()     ? by(GeneralFlow<false>{})
-                                   : system.autonomous() ? by(Autonomous{})
-                                                         : by(AngleDependent{});
+  const IntegrationStatus status = kernels::with_source(system, [&]<class Source>(Source) {
+    const kernels::SmoothRun<Source> run(system, 0.0, tolerance);
+    if (!statistics && !samples) return run.advance(duration, state.data(), kernels::unobserved, stop);
+    Stretch<typename kernels::SmoothRun<Source>::Flow, Source::sags> stretch(system, run.flow(), state, statistics,
+                                                                             samples);
+    const IntegrationStatus reached = run.advance(
+        duration, state.data(), [&](double from, double to, auto&& at) { stretch.step(from, to, at); }, stop);
+    stretch.finish(duration);
+    return reached;
+  });
   return is_set(stop) ? IntegrationStatus::failed : status;
 }
 

@@ -1,5 +1,5 @@
-// One trajectory of a smooth system, with or without tangent vectors, for the adaptive integrator. Included once per
-// CPU target.
+// One trajectory of a smooth system, with or without tangent vectors, by the adaptive integrator. Included once per CPU
+// target.
 #if defined(EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL
 #undef EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL
@@ -27,6 +27,7 @@ namespace HWY_NAMESPACE {
 template <int room, Terms terms>
 struct PlainSource {
   static constexpr int dimension = model::dimension(room);
+  static constexpr bool sags = terms.gravity;
   template <class T>
   using Flow = FreeFlow<T, room, terms>;
   template <class T>
@@ -46,6 +47,7 @@ struct SmoothSource {
   template <int balls>
   static constexpr int largest = SmoothFlow<double, balls, tilt>::dimension;
   static constexpr int dimension = largest<model::max_balls>;
+  static constexpr bool sags = true;
   template <class T>
   using Flow = SmoothFlow<T, model::any_count, tilt>;
   template <class T>
@@ -56,6 +58,18 @@ struct SmoothSource {
 
 using GeneralSource = SmoothSource<false>;
 using TiltSource = SmoothSource<true>;
+
+// Calls f with the source of a smooth system's equations.
+template <class F>
+auto with_source(const model::System& system, F&& f) {
+  constexpr int any = model::any_count;
+  if (system.tilts()) return f(TiltSource{});
+  if (!system.plain()) return f(GeneralSource{});
+  return system.autonomous() ? f(Autonomous<any>{}) : f(AngleDependent<any>{});
+}
+
+// An observer of steps that looks at none.
+inline constexpr auto unobserved = [](double, double, auto&&) {};
 
 // Tangent vectors along a trajectory, as many as asked for but at most `width`. Component (1 + vectors) i is variable
 // i, the next `vectors` are its tangents.
@@ -123,8 +137,7 @@ std::optional<TangentFlight> follow_at_width(const model::System& system, const 
   }
   const Flow flow(system, psi, vectors);
   AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, size * stride);
-  const auto status = integrator.advance(
-      0.0, duration, y, [](double, double, auto&&) {}, stop);
+  const auto status = integrator.advance(0.0, duration, y, unobserved, stop);
   if (status != IntegrationStatus::done || is_set(stop)) return std::nullopt;
   TangentFlight flight{Eigen::VectorXd(size), Eigen::MatrixXd(size, count)};
   for (int i = 0; i < size; ++i) {
@@ -158,18 +171,31 @@ std::optional<TangentFlight> follow(const model::System& system, const Eigen::Ve
     return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi, stop);
 }
 
+// A trajectory without tangent vectors.
 template <class Source>
-std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen::VectorXd& state, double duration,
-                                       double psi, double tolerance) {
+class SmoothRun {
+ public:
   using Flow = typename Source::template Flow<double>;
-  const auto scale = error_scale<Source::dimension>(system, tolerance);
-  const Flow flow = Source::template make<double>(system, psi);
-  AdaptiveIntegrator<Flow, Source::dimension> integrator(flow, scale, system.dimension());
-  Eigen::VectorXd end = state;
-  const auto status = integrator.advance(0.0, duration, end.data(), [](double, double, auto&&) {});
-  if (status != IntegrationStatus::done) return std::nullopt;
-  return end;
-}
+
+  // `psi`: the rotor's angle at time 0, if the state does not contain it.
+  SmoothRun(const model::System& system, double psi, double tolerance)
+      : flow_(Source::template make<double>(system, psi)),
+        scale_(error_scale<Source::dimension>(system, tolerance)),
+        size_(system.dimension()) {}
+
+  const Flow& flow() const { return flow_; }
+  // Takes `y` from time 0 to `duration`; the rest as AdaptiveIntegrator::advance().
+  template <class Observe>
+  IntegrationStatus advance(double duration, double* y, Observe&& observe, const StopFlag* stop = nullptr) const {
+    AdaptiveIntegrator<Flow, Source::dimension> integrator(flow_, scale_, size_);
+    return integrator.advance(0.0, duration, y, observe, stop);
+  }
+
+ private:
+  Flow flow_;
+  ErrorScale<Source::dimension> scale_;
+  int size_;
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise

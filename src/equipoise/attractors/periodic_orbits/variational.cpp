@@ -16,11 +16,11 @@ std::optional<TangentFlight> follow_derivative(const model::System& system, cons
 
 std::optional<VectorXd> advance_state(const model::System& system, const VectorXd& state, double duration, double psi,
                                       double tolerance) {
-  constexpr int any = model::any_count;
-  if (system.tilts()) return kernels::advance<kernels::TiltSource>(system, state, duration, psi, tolerance);
-  if (!system.plain()) return kernels::advance<kernels::GeneralSource>(system, state, duration, psi, tolerance);
-  return system.autonomous() ? kernels::advance<kernels::Autonomous<any>>(system, state, duration, psi, tolerance)
-                             : kernels::advance<kernels::AngleDependent<any>>(system, state, duration, psi, tolerance);
+  VectorXd end = state;
+  const IntegrationStatus status = kernels::with_source(system, [&]<class Source>(Source) {
+    return kernels::SmoothRun<Source>(system, psi, tolerance).advance(duration, end.data(), kernels::unobserved);
+  });
+  return status == IntegrationStatus::done ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace equipoise
