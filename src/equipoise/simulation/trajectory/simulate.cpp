@@ -1,30 +1,104 @@
-// One trajectory: clamped spin-up by superposition, then the free equations piece by piece.
+// One trajectory: clamped spin-up by superposition, then the free equations piece by piece; or as a machine from event
+// to event.
 #include "equipoise/simulation/trajectory/simulate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/simulation/integrate/clamped.hpp"
+#include "equipoise/simulation/integrate/event_trajectory-inl.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/trajectory/machine_run.hpp"
+#include "equipoise/simulation/trajectory/followed_run.hpp"
 #include "equipoise/simulation/trajectory/record.hpp"
 
 namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
+
+void check_overlap(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  if (!p.balls_collide()) return;
+  for (int i = 0; i < p.balls; ++i)
+    for (int j = 0; j < i; ++j) {
+      const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
+      if (apart < p.contact_angle)
+        throw InputError(
+            study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+            fmt::format("balls {} and {} overlap: {} rad apart; must be at least {} apart, as balls are that touch",
+                        j + 1, i + 1, apart, p.contact_angle));
+    }
+}
+
+// A study as a machine from event to event: drive, error scale and state at t = 0.
+template <bool tilt>
+class MachineRun {
+ public:
+  using Machine = kernels::EventTrajectory<model::any_count, tilt>;
+
+  // The study outlives it.
+  explicit MachineRun(const Study& study)
+      : drive_(study.drive()), machine_(study.parameters, drive_, scale_of(study), first_state(study, drive_).data()) {}
+  MachineRun(const MachineRun&) = delete;
+  MachineRun& operator=(const MachineRun&) = delete;
+
+  Machine& machine() { return machine_; }
+
+ private:
+  static typename Machine::Scale scale_of(const Study& study) {
+    return kernels::machine_scale<Machine::dimension>(study.parameters,
+                                                      study.numerics.tolerance.value_or(default_simulate_tolerance));
+  }
+  static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
+    std::array<double, Machine::dimension> z{};
+    const InitialState start = parted(study.parameters, study.initial);
+    const int balls = study.parameters.balls;
+    initial_state(start, balls, drive.speed, z.data(), tilt ? model::dimension(balls) : -1);
+    return z;
+  }
+
+  const model::Drive drive_;
+  Machine machine_;
+};
+
+class AnyMachine {
+ public:
+  // The study outlives it.
+  explicit AnyMachine(const Study& study) {
+    if (study.parameters.tilts())
+      run_.emplace<MachineRun<true>>(study);
+    else
+      run_.emplace<MachineRun<false>>(study);
+  }
+
+  // Calls f with the trajectory.
+  template <class F>
+  decltype(auto) with(F&& f) {
+    if (auto* plane = std::get_if<MachineRun<false>>(&run_)) return f(plane->machine());
+    return f(std::get<MachineRun<true>>(run_).machine());
+  }
+
+ private:
+  std::variant<std::monostate, MachineRun<false>, MachineRun<true>> run_;
+};
 
 void check_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -101,31 +175,29 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
   }
 }
 
-template <bool tilt>
 void simulate_machine(const Task& task, Trajectory& out) {
-  using Run = kernels::MachineRunOf<tilt>;
-  using Machine = typename Run::Machine;
   const std::vector<double>& times = task.times;
-  Run run(task.study);
-  Machine& machine = run.machine();
-  std::size_t next = 0;
   if (times.empty()) return;
-  out.status = machine.advance(
-      times.back(),
-      [&](double, double to, auto&& state_at) {
-        for (; next < times.size() && times[next] < to; ++next) {
-          double at[Machine::dimension];
-          state_at(times[next], at);
-          record(out, task.study, times[next], at);
-        }
-        task.rows.report(out.t.size());
-        return false;
-      },
-      task.stop);
-  out.stopped = task.stopped();
-  if (out.status != IntegrationStatus::done || out.stopped) return;
-  machine.enter();
-  record(out, task.study, times.back(), machine.state());
+  AnyMachine run(task.study);
+  run.with([&](auto& machine) {
+    std::size_t next = 0;
+    out.status = machine.advance(
+        times.back(),
+        [&](double, double to, auto&& state_at) {
+          for (; next < times.size() && times[next] < to; ++next) {
+            double at[std::remove_reference_t<decltype(machine)>::dimension];
+            state_at(times[next], at);
+            record(out, task.study, times[next], at);
+          }
+          task.rows.report(out.t.size());
+          return false;
+        },
+        task.stop);
+    out.stopped = task.stopped();
+    if (out.status != IntegrationStatus::done || out.stopped) return;
+    machine.enter();
+    record(out, task.study, times.back(), machine.state());
+  });
 }
 
 Trajectory followed(const Task& task) {
@@ -142,11 +214,8 @@ Trajectory followed(const Task& task) {
   }
   // FreeFlow sums the rotor's forces up with its first ball.
   if (!study.system().simple() || p.balls == 0) {
-    kernels::check_overlap(study);
-    if (p.tilts())
-      simulate_machine<true>(task, out);
-    else
-      simulate_machine<false>(task, out);
+    check_overlap(study);
+    simulate_machine(task, out);
     return out;
   }
   const double release = study.release_time();
@@ -213,5 +282,47 @@ std::vector<double> output_times(const Study& study, std::optional<double> asked
   for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);
   return times;
 }
+
+struct FollowedRun::State {
+  explicit State(Study given) : study(std::move(given)), run(study) {}
+
+  const Study study;
+  AnyMachine run;
+};
+
+FollowedRun::FollowedRun(const Study& study) : FollowedRun(study, study.initial) {}
+
+FollowedRun::FollowedRun(const Study& study, const InitialState& start) {
+  Study own = study;
+  own.initial = start;
+  check(own);
+  check_overlap(own);
+  state_ = std::make_unique<State>(std::move(own));
+}
+
+FollowedRun::~FollowedRun() = default;
+
+double FollowedRun::time() const {
+  return state_->run.with([](const auto& machine) { return machine.time(); });
+}
+
+IntegrationStatus FollowedRun::advance(double until) {
+  if (!(until > time())) return IntegrationStatus::done;
+  return state_->run.with([&](auto& machine) {
+    const IntegrationStatus status = machine.advance(until, [](double, double, auto&&) { return false; });
+    if (status == IntegrationStatus::done) machine.enter();
+    return status;
+  });
+}
+
+void FollowedRun::record(Trajectory& out) const {
+  equipoise::record(out, study(), time(), state_->run.with([](const auto& machine) { return machine.state(); }));
+}
+
+bool FollowedRun::clamped() const {
+  return state_->run.with([](const auto& machine) { return machine.clamped(); });
+}
+
+const Study& FollowedRun::study() const { return state_->study; }
 
 }  // namespace equipoise
