@@ -12,7 +12,7 @@
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/trapping_regions/continuum_region.hpp"
-#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/classification/trapping_regions/validated_level.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"

@@ -8,7 +8,7 @@
 #include "../support/parameters.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 
 namespace equipoise {

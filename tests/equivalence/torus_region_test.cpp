@@ -1,6 +1,6 @@
 // Trapping regions around tori: V vanishes on the torus, however the balls are numbered, and interior states stay
 // inside.
-#include "equipoise/classification/trapping_regions/torus_region.hpp"
+#include "equipoise/classification/trapping_regions/window_region.hpp"
 
 #include <gtest/gtest.h>
 

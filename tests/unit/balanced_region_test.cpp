@@ -10,7 +10,7 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/parameters.hpp"

@@ -25,7 +25,7 @@ struct BalancedAnalysis {
   /// balls.
   std::vector<Motion> motions;
   /// Of each stable state, if states are isolated and nothing depends on the rotor's angle. Otherwise trapping regions
-  /// belong to the motions (classification/trapping_regions/orbit_forms.hpp) or to the continuum.
+  /// belong to the motions (classification/trapping_regions/orbit_region.hpp) or to the continuum.
   std::vector<BalancedRegion> regions;
   std::vector<ModeWeight> weights;                         ///< of the modes of the first region
   std::shared_ptr<const ContinuumOfEquilibria> continuum;  ///< null: the states are isolated

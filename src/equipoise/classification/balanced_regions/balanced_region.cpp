@@ -14,6 +14,8 @@
 #include "equipoise/core/math/lyapunov.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/simulation/rule/region_values-inl.hpp"
 
 namespace equipoise {
 
@@ -82,13 +84,13 @@ Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& 
 // Unit weights on unit vectors are within a factor of two of the best in every row of the paper. A neighbour's weights
 // are good enough if they are better.
 Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
-                                std::vector<ModeWeight>& known, SearchVectors& vectors) {
+                                std::vector<ModeWeight>& known, Directions& vectors) {
   const Modes modes = left_modes(a);
   const Eigen::Index size = modes.rates.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
   const EntryTime entry_time(modes, system.balls());
   const auto cost = [&](const Eigen::VectorXd& w) {
-    return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing, vectors));
+    return entry_time(w, critical_level(system, centre, modal_form(modes, w), rays_while_weighing, vectors, false));
   };
   double least = cost(weights);
   const int sweeps = known.empty() ? 3 : 0;
@@ -146,7 +148,7 @@ BalancedRegion isolated_region(const model::System& system, const Angles& phi, d
                                std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
-  SearchVectors vectors(a.rows());
+  Directions vectors(a.rows());
   const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights, vectors);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
   const auto level_of = [&](const Eigen::MatrixXd& form) {
@@ -218,13 +220,9 @@ Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWe
   return modal_form(modes, weights_from(weights, modes));
 }
 
-FactorView factor_of(const BalancedRegion& region) {
-  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(region.factor.size()))));
-  return {region.factor.data(), size, size};
-}
-
 Eigen::MatrixXd form_of(const BalancedRegion& region) {
-  const auto factor = factor_of(region);
+  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(region.factor.size()))));
+  const FactorView factor(region.factor.data(), size, size);
   return factor.transpose() * factor;
 }
 
@@ -235,13 +233,9 @@ void set_level(BalancedRegion& region, double level) {
 }
 
 double value(const model::System& system, const BalancedRegion& region, const double* state) {
-  Eigen::VectorXd d(system.dimension());
-  for (int i = 0; i < system.dimension(); ++i) d[i] = state[i] - region.centre[i];
-  for (int i = 0; i < system.balls(); ++i) {
-    double& angle = d[model::index::phi(i)];
-    angle = wrapped(angle - region.phi[i]);
-  }
-  return (factor_of(region) * d).squaredNorm();
+  const model::BallCount<model::any_count> count(system.balls());
+  return HWY_NAMESPACE::balanced_region_value(region.place(system.balls()).data(), region.factor.data(), count,
+                                              system.dimension(), state);
 }
 
 double touching_level(const model::System& system, const BalancedRegion& region) {
@@ -260,10 +254,15 @@ double touching_level(const model::System& system, const BalancedRegion& region)
 
 Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
                                const Eigen::VectorXd& direction) {
-  Eigen::VectorXd state = std::sqrt(level) * factor_of(region).triangularView<Eigen::Upper>().solve(direction);
-  for (int i = 0; i < system.dimension(); ++i) state[i] += region.centre[i];
-  for (int i = 0; i < system.balls(); ++i) state[model::index::phi(i)] += region.phi[i];
-  return state;
+  return state_on_level(region.place(system.balls()).data(), region.factor.data(), level, direction);
+}
+
+Eigen::VectorXd state_on_level(const double* place, const double* factor, double level,
+                               const Eigen::VectorXd& direction) {
+  const Eigen::Index size = direction.size();
+  const Eigen::VectorXd d =
+      std::sqrt(level) * FactorView(factor, size, size).triangularView<Eigen::Upper>().solve(direction);
+  return Eigen::Map<const Eigen::VectorXd>(place, size) + d;
 }
 
 }  // namespace equipoise

@@ -25,9 +25,8 @@ BalancedRegion exchanged(const BalancedRegion& region);
 /// The modal form of a linearisation; each mode takes the weight of the nearest one in `weights`.
 Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
 
-/// F and P = F^T F of the region's Lyapunov function V = |F d|^2 = d^T P d. F is a view into the region.
+/// P = F^T F of the region's Lyapunov function V = |F d|^2 = d^T P d.
 using FactorView = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-FactorView factor_of(const BalancedRegion& region);
 Eigen::MatrixXd form_of(const BalancedRegion& region);
 
 /// Sets the level, and the reach with it.
@@ -42,6 +41,8 @@ double touching_level(const model::System& system, const BalancedRegion& region)
 
 /// A state on the level `level`. `direction`: a unit vector of the state's size.
 Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
+                               const Eigen::VectorXd& direction);
+Eigen::VectorXd state_on_level(const double* place, const double* factor, double level,
                                const Eigen::VectorXd& direction);
 
 /// The share used of the sampled critical level. Two independent searches agree to 1e-4, and decision times depend on

@@ -152,7 +152,7 @@ double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector d
 
 // The same by random directions, and random steps from the worst of them.
 template <class Flow>
-double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& vectors) {
+double sample(const RaySearch<Flow>& search, int size, int rays, Directions& vectors) {
   using Vector = typename RaySearch<Flow>::Vector;
   std::size_t next = 0;
 
@@ -164,7 +164,7 @@ double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& 
   std::vector<Ray> worst;
   double best = search.half_turn();
   for (int ray = 0; ray < rays; ++ray) {
-    const Vector direction = vectors[next++].normalized();
+    const Vector direction = vectors[next++];
     const double limit = 1.3 * best;  // look a little beyond, to keep several worst rays
     const double reach = search.first_growth(search.edge(direction), limit);
     if (reach >= limit) continue;
@@ -176,7 +176,8 @@ double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& 
   for (Ray& ray : worst) {
     double amplitude = 0.3;
     for (int step = 0; step < 300; ++step) {
-      const Vector direction = (ray.direction + amplitude * vectors[next++] / std::sqrt(double(size))).normalized();
+      const Vector direction =
+          (ray.direction + amplitude * vectors.unscaled(next++) / std::sqrt(double(size))).normalized();
       const double reach = search.first_growth(search.edge(direction), ray.reach);
       if (reach < ray.reach)
         ray = {reach, direction};
@@ -191,7 +192,7 @@ double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& 
 // Least level of a search of `rays` rays, with or without a descent.
 template <class Flow>
 double least_level(const model::System& system, const Flow& flow, const Eigen::VectorXd& centre,
-                   const Eigen::MatrixXd& form, int rays, SearchVectors& vectors, bool descending) {
+                   const Eigen::MatrixXd& form, int rays, Directions& vectors, bool descending) {
   const dense::Cholesky cholesky(form);
   if (!cholesky.definite()) return 0.0;
   const RaySearch<Flow> search(system, flow, centre, form, cholesky.upper(), descending);
@@ -204,20 +205,9 @@ double least_level(const model::System& system, const Flow& flow, const Eigen::V
   return least * least;
 }
 
-double least_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
-                   SearchVectors& vectors, bool descending) {
-  constexpr int unrolled = 2;  // balls: with more, balanced states form continua
-  if (system.plain())
-    return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
-      return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);
-    });
-  if (system.tilts()) return least_level(system, TiltFlow(system, 0.0), centre, form, rays, vectors, descending);
-  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
-}
-
 }  // namespace
 
-const Eigen::VectorXd& SearchVectors::operator[](std::size_t number) {
+const Eigen::VectorXd& Directions::unscaled(std::size_t number) {
   while (made_.size() <= number) {
     made_.emplace_back(size_);
     for (double& x : made_.back()) x = random_.normal();
@@ -225,14 +215,15 @@ const Eigen::VectorXd& SearchVectors::operator[](std::size_t number) {
   return made_[number];
 }
 
-double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
-                     SearchVectors& vectors) {
-  return least_level(system, centre, form, rays, vectors, false);
-}
-
 double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
-                      SearchVectors& vectors) {
-  return least_level(system, centre, form, rays, vectors, true);
+                      Directions& vectors, bool descending) {
+  constexpr int unrolled = 2;  // balls: with more, balanced states form continua
+  if (system.plain())
+    return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
+      return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);
+    });
+  if (system.tilts()) return least_level(system, TiltFlow(system, 0.0), centre, form, rays, vectors, descending);
+  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
 }
 
 }  // namespace equipoise

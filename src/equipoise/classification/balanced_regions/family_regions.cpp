@@ -123,12 +123,12 @@ Eigen::MatrixXd FamilyRegions::form(const OwnRotor& rotor) const {
 
 // The least level at which V was seen to grow; 0: at once, or there is no such state.
 double FamilyRegions::level(const std::vector<BalancedRegion>& regions, std::span<const OwnRotor> tried) const {
-  SearchVectors vectors(size_);
+  Directions vectors(size_);
   double least = std::numeric_limits<double>::infinity();
   for (const OwnRotor& rotor : tried) {
     const auto place = balanced_place(rotor.system, regions.front().state);
     if (!place) return 0.0;
-    least = std::min(least, level_by_rays(rotor.system, *place, form(rotor), rays, vectors));
+    least = std::min(least, critical_level(rotor.system, *place, form(rotor), rays, vectors, false));
     if (!(least > 0.0)) return 0.0;
   }
   return least;
@@ -160,23 +160,16 @@ void FamilyRegions::place(const std::vector<BalancedRegion>& regions, OwnRotor& 
   }
 }
 
-namespace {
-
-std::vector<Eigen::VectorXd> shifts_from(const std::vector<Eigen::VectorXd>& places, const model::System& other) {
+std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system) {
+  const std::vector<Eigen::VectorXd> places = balanced_places(system);
   std::vector<Eigen::VectorXd> shifts = balanced_places(other);
   shifts.resize(std::min(shifts.size(), places.size()));
   for (std::size_t number = 0; number < shifts.size(); ++number) shifts[number] -= places[number];
   return shifts;
 }
 
-}  // namespace
-
-std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system) {
-  return shifts_from(balanced_places(system), other);
-}
-
 Eigen::VectorXd balanced_shift(const model::System& other, const model::System& system, const Eigen::VectorXd& state) {
-  const std::vector<Eigen::VectorXd> places = balanced_places(system), shifts = shifts_from(places, other);
+  const std::vector<Eigen::VectorXd> places = balanced_places(system), shifts = balanced_shifts(other, system);
   Eigen::VectorXd nearest = Eigen::VectorXd::Zero(system.dimension());
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t number = 0; number < shifts.size(); ++number) {
@@ -191,11 +184,8 @@ Eigen::VectorXd balanced_shift(const model::System& other, const model::System& 
 
 Eigen::VectorXd state_on_level(const OwnRotor& rotor, std::size_t number, double level,
                                const Eigen::VectorXd& direction) {
-  const Eigen::Index size = direction.size();
-  const auto at = number * static_cast<std::size_t>(size);
-  const FactorView factor(&rotor.factors[at * static_cast<std::size_t>(size)], size, size);
-  const Eigen::Map<const Eigen::VectorXd> place(&rotor.places[at], size);
-  return place + std::sqrt(level) * factor.triangularView<Eigen::Upper>().solve(direction);
+  const auto size = static_cast<std::size_t>(direction.size()), at = number * size;
+  return state_on_level(&rotor.places[at], &rotor.factors[at * size], level, direction);
 }
 
 }  // namespace equipoise

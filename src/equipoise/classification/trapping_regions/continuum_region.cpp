@@ -122,31 +122,6 @@ Eigen::VectorXd moved_to(const model::System& other, const model::System& system
   return model::balanced_state(other, other_speed, phi.data()) - model::balanced_state(system, speed, m.phi.data());
 }
 
-// Whether all states tried at `factor` times the members' units of V come near the continuum.
-bool all_approach(const ContinuumRegion& region, const Members& members, Directions& directions,
-                  const TrialSettings& settings, double factor, const TryRange& tries) {
-  const std::size_t count = members.all.size();
-  const auto member_of = [&](std::size_t i) -> const ContinuumMember& { return members.all[i * count / tries.of]; };
-  Trials trials = trials_from(
-      tries, directions, settings, [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
-        const ContinuumMember& m = member_of(i);
-        Eigen::VectorXd z = state_with_room(region, m, factor * m.unit, direction, *settings.system);
-        if (own) z += moved_to(own->system, *settings.system, m);
-        return z;
-      });
-  ContinuumRegion near = at_factor(region, members, come_near * factor);
-  near.slowest_rate *= slower;
-  // Regions are tested where half windows end. A test costs more than following a state until V has fallen by a factor
-  // of e, even at the member that attracts most.
-  trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
-  set_regions(trials.rule, *settings.system, {}, near);  // tests depend on the window
-  trials.flight = [&](std::size_t first) {
-    const double rate = -member_of(tries.first + first).rate;  // the slowest of the chunk
-    return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
-  };
-  return all_attracted(std::move(trials), settings);
-}
-
 }  // namespace
 
 bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
@@ -170,10 +145,30 @@ std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const Cont
   // With anisotropic supports or gravity every test takes a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024, .low_may_fail = true};
   if (!settings.system->autonomous()) counts.few /= 4, counts.all /= 4;
-  Directions directions(continuum->directions());
-  const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
-    return all_approach(region, members, directions, settings, level, tries);
-  });
+  const auto member_of = [&](std::size_t number, std::size_t of) -> const ContinuumMember& {
+    return members.all[number * members.all.size() / of];
+  };
+  const auto state = [&](const Trial& trial) {
+    const ContinuumMember& m = member_of(trial.number, trial.of);
+    Eigen::VectorXd z = state_with_room(region, m, trial.level * m.unit, trial.direction, *settings.system);
+    if (trial.own) z += moved_to(trial.own->system, *settings.system, m);
+    return z;
+  };
+  const auto complete = [&](Trials& trials, double tried, const TryRange& tries) {
+    ContinuumRegion near = at_factor(region, members, come_near * tried);
+    near.slowest_rate *= slower;
+    // Regions are tested where half windows end. A test costs more than following a state until V has fallen by a
+    // factor of e, even at the member that attracts most.
+    trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
+    set_regions(trials.rule, *settings.system, {}, near);  // tests depend on the window
+    trials.flight = [&](std::size_t first) {
+      const double rate = -member_of(tries.first + first, tries.of).rate;  // the slowest of the chunk
+      return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
+    };
+    return true;
+  };
+  const double factor =
+      level_by_trials(settings, continuum->directions(), {0.5 / members.unit}, counts, 0.0, state, complete);
   if (!(factor > 0.0)) return std::nullopt;
   region = at_factor(std::move(region), members, factor);
   region.slow_factor = slow_share * factor;

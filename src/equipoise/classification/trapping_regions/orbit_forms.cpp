@@ -2,7 +2,7 @@
 // vectors, which have no part along it; the phase may be any angle that grows. On a stroboscopic section the phase is
 // imposed and every deviation shrinks, so the form integrates its square along the linear flow. That needs no
 // eigenvectors, which double precision cannot separate if multipliers span many powers of ten (drag).
-#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,37 +54,20 @@ int clock_of(int balls, const Motion& motion) {
   return clock;
 }
 
-// The orbit sampled in time, with its forms.
-struct Samples {
-  std::vector<VectorXd> states;
-  std::vector<MatrixXd> forms;
-  VectorXd shift;  // from one period to the next
-};
-
-std::optional<Samples> sample(const model::System& system, const Motion& motion, int count) {
-  auto frame = floquet_frame(system, motion.orbit, count);
-  if (!frame) return std::nullopt;
-  Samples samples;
-  samples.states = std::move(frame->states);
-  for (const Eigen::MatrixXcd& left : frame->left) samples.forms.push_back(floquet_form(left));
-  samples.shift = shift_of(system, motion.orbit);
-  return samples;
-}
-
 // Nodes at the angles 2 pi k / cells_a_turn, k = 0 .. turns * cells_a_turn, of component `clock`, by linear
 // interpolation in that angle.
-std::vector<Node> nodes_over_angle(const Samples& samples, int clock, int turns) {
-  const bool rising = samples.shift[clock] > 0.0;
-  const int count = static_cast<int>(samples.states.size());
+std::vector<Node> nodes_over_angle(const FloquetFrame& frame, const VectorXd& shift, int clock, int turns) {
+  const bool rising = shift[clock] > 0.0;
+  const int count = static_cast<int>(frame.states.size());
   // Sample j of the doubly infinite orbit, counted so that the clock's angle grows.
   const auto state = [&](int j) -> VectorXd {
     const int forward = rising ? j : -j;
     const int lap = static_cast<int>(std::floor(static_cast<double>(forward) / count));
-    return samples.states[forward - lap * count] + lap * samples.shift;
+    return frame.states[forward - lap * count] + lap * shift;
   };
-  const auto form = [&](int j) -> const MatrixXd& {
+  const auto form = [&](int j) {
     const int forward = rising ? j : -j;
-    return samples.forms[((forward % count) + count) % count];
+    return floquet_form(frame.left[((forward % count) + count) % count]);
   };
   std::vector<Node> nodes;
   const double first = state(0)[clock];
@@ -114,9 +97,9 @@ std::vector<OrbitRegion> regions_by_ball(const model::System& system, const Moti
   region.cells = cells_a_turn;
   region.unit = VectorXd::Ones(system.dimension());
   if (region.turns > most_turns) return {};
-  const auto samples = sample(system, motion, samples_a_turn * region.turns);
-  if (!samples) return {};
-  region.nodes = nodes_over_angle(*samples, region.phase_place, region.turns);
+  const auto frame = floquet_frame(system, motion.orbit, samples_a_turn * region.turns);
+  if (!frame) return {};
+  region.nodes = nodes_over_angle(*frame, shift_of(system, motion.orbit), region.phase_place, region.turns);
   if (!is_definite(region)) return {};
   std::vector<OrbitRegion> regions;
   for (const BallOrder& order : exchange_images(system, motion))

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
@@ -35,6 +36,18 @@ struct OrbitRegion {
 
   int rows() const { return turns * cells; }
 };
+
+/// Fraction of the slowest rate that a form's decay must reach: closer to 1 it would be all slow directions.
+inline constexpr double share_of_rate = 0.8;
+
+/// P = sum_k Re(conj(w_k) w_k^T) of the left Floquet vectors at one state of an orbit (FloquetFrame::left).
+Eigen::MatrixXd floquet_form(const Eigen::MatrixXcd& left);
+
+/// The trapping regions, with levels still 0, of a stable periodic motion or, if the rotor's angle matters, of a
+/// balanced equilibrium. One region for each motion that exchange of alike balls makes of it or, with the rotor's angle
+/// as phase, one for all of them. Empty if none can be made: too long a period, no ball that turns steadily, too many
+/// images, Floquet vectors that double precision cannot separate, a continuum, a failed integration.
+std::vector<OrbitRegion> orbit_regions(const model::System& system, const Motion& motion, int attractor);
 
 /// V of a state at rotor angle `psi` (unless the state contains it): the least over the turns that the phase leaves
 /// open. If the phase is the rotor's angle, alike balls take the nearest places on the motion, and a state well above

@@ -17,7 +17,7 @@
 #include "equipoise/core/math/polynomial_terms.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
-#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
 
 namespace equipoise {
 
@@ -69,12 +69,12 @@ bool normalise(std::vector<MatrixXd>& forms, const VectorXd& scale, int free_dir
 }
 
 // Down to levels that leave trials room to come inside.
-WindowTries tries_above(double floor) {
+LevelLadder ladder_above(double floor) {
   constexpr double room = 32.0;
-  WindowTries tries{.highest = highest_path_level};
+  LevelLadder ladder{highest_path_level};
   if (floor > 0.0)
-    tries.halvings = std::clamp(static_cast<int>(std::log2(highest_path_level / (room * floor))), 1, tries.halvings);
-  return tries;
+    ladder.halvings = std::clamp(static_cast<int>(std::log2(highest_path_level / (room * floor))), 1, ladder.halvings);
+  return ladder;
 }
 
 }  // namespace
@@ -393,7 +393,7 @@ std::shared_ptr<const PathRegion> path_region(const model::System& system, const
                [&](const OwnRotor& rotor) { return region->holds_for(rotor); });
   if (having.empty() && !settings.rotors.empty()) return nullptr;
   of_those.rotors = having;
-  return validate(region, tries_above(region->floor()), of_those, near) ? region : nullptr;
+  return validate(region, ladder_above(region->floor()), come_close, of_those, near) ? region : nullptr;
 }
 
 }  // namespace equipoise

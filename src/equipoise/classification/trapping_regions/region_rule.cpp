@@ -2,9 +2,9 @@
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "equipoise/attractors/equilibria/stuck.hpp"
@@ -53,79 +53,60 @@ bool is_due(double psi, double half) {
 }
 
 // If gravity leaves motion on a continuum, the state on the next section is tested.
-class ContinuumOnSection {
- public:
-  ContinuumOnSection(const model::System& system, const ContinuumRegion& region, double window)
-      : system_(system),
-        passing_(without_events(system)),
-        region_(region),
-        rest_(unbalance_of_rest(system)),
-        half_(0.5 * window * std::fabs(system.speed())) {}
-
-  bool holds(const double* at, double psi, const OwnRotor* own) const {
-    const model::Parameters& p = (own ? own->system : system_).parameters();
-    const std::complex<double> rest = own ? unbalance_of_rest(own->system) : rest_;
-    if (!balls_in_reach(p, region_, rest, at) || !is_due(psi, half_)) return false;
+SharedRegions continuum_on_section(const model::System& system, const ContinuumRegion& region, double window) {
+  return regions_by([system, region, passing = without_events(system), rest_of_all = unbalance_of_rest(system),
+                     half = 0.5 * window * std::fabs(system.speed())](const double* at, double psi,
+                                                                      const OwnRotor* own) -> Caught {
+    const model::Parameters& p = (own ? own->system : system).parameters();
+    const std::complex<double> rest = own ? unbalance_of_rest(own->system) : rest_of_all;
+    if (!balls_in_reach(p, region, rest, at) || !is_due(psi, half)) return {};
     // This close to balance it does not matter whether balls touch on the way.
-    const auto state = at_next_section(own ? without_events(own->system) : passing_,
-                                       Eigen::Map<const Eigen::VectorXd>(at, passing_.dimension()), psi, near_enough);
-    return state && balls_in_reach(p, region_, rest, state->data()) && rotor_in_reach(region_, *state) &&
-           region_.holds(*state, own);
-  }
-
- private:
-  model::System system_, passing_;
-  ContinuumRegion region_;
-  std::complex<double> rest_;
-  double half_;  // turning of the rotor in half a window
-};
-
-// A rotor of its own has a well of its own, equally deep for every order of its balls.
-int stalled_in(const model::System& system, const StalledRegion& stalled, const double* state, const OwnRotor* own) {
-  if (!own) return stalled.caught(system, state);
-  const auto well = model::GravityWell::of(own->system);
-  return well ? StalledRegion{*well, stalled.rests}.caught(own->system, state) : 0;
+    const auto state = at_next_section(own ? without_events(own->system) : passing,
+                                       Eigen::Map<const Eigen::VectorXd>(at, passing.dimension()), psi, near_enough);
+    const bool holds = state && balls_in_reach(p, region, rest, state->data()) && rotor_in_reach(region, *state) &&
+                       region.holds(*state, own);
+    return {holds ? balanced_id : 0};
+  });
 }
 
-class SectionRegions final : public TrappingRegions {
- public:
-  SectionRegions(const model::System& system, const OrbitRegions& cycles,
-                 const std::optional<ContinuumRegion>& continuum, const std::optional<StalledRegion>& stalled,
-                 double window)
-      : system_(system), cycles_(cycles), stalled_(stalled) {
-    if (continuum) continuum_.emplace(system, *continuum, window);
-  }
-
-  Caught ask(const double* state, double psi, const OwnRotor* own) const override {
-    if (const int attractor = stalled_ ? stalled_in(system_, *stalled_, state, own) : 0) return {attractor};
-    std::optional<Shifts> shifts;  // one for all regions: to find balanced states costs as much as to test many
-    for (const auto& region : cycles_) {
-      const bool moves = own && region->attractor == balanced_id;
-      if (moves && !shifts) shifts = balanced_shifts(own->system, system_);
-      const double v = moves ? moved_value(*region, state, psi, *shifts) : value(system_, *region, state, psi);
-      if (v < region->level) return {region->attractor};
+// For a rotor of its own, the region of a balanced motion moves as the balanced state does.
+SharedRegions cycles_on_section(const model::System& system, const OrbitRegions& cycles) {
+  return regions_by([system, cycles](const double* state, double psi, const OwnRotor* own) -> Caught {
+    // For all regions: to find balanced states costs as much as to test many.
+    std::optional<std::vector<Eigen::VectorXd>> shifts;
+    for (const auto& region : cycles) {
+      double least = infinite;
+      if (own && region->attractor == balanced_id) {
+        if (!shifts) shifts = balanced_shifts(own->system, system);
+        for (const Eigen::VectorXd& shift : *shifts) {
+          const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(state, system.dimension()) - shift;
+          least = std::min(least, value(system, *region, moved.data(), psi));
+        }
+      } else {
+        least = value(system, *region, state, psi);
+      }
+      if (least < region->level) return {region->attractor};
     }
-    return {continuum_ && continuum_->holds(state, psi, own) ? balanced_id : 0};
-  }
+    return {};
+  });
+}
 
- private:
-  using Shifts = std::vector<Eigen::VectorXd>;
+// A rotor of its own has a well of its own, equally deep for every order of its balls.
+SharedRegions stalled_rotors(const model::System& system, const StalledRegion& stalled) {
+  return regions_by([system, stalled](const double* state, double, const OwnRotor* own) -> Caught {
+    if (!own) return {stalled.caught(system, state)};
+    const auto well = model::GravityWell::of(own->system);
+    return {well ? StalledRegion{*well, stalled.rests}.caught(own->system, state) : 0};
+  });
+}
 
-  // For a rotor of its own, the region of a balanced motion moves as the balanced state does.
-  double moved_value(const OrbitRegion& region, const double* state, double psi, const Shifts& shifts) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Eigen::VectorXd& shift : shifts) {
-      const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(state, system_.dimension()) - shift;
-      least = std::min(least, value(system_, region, moved.data(), psi));
-    }
-    return least;
-  }
-
-  model::System system_;
-  OrbitRegions cycles_;
-  std::optional<StalledRegion> stalled_;
-  std::optional<ContinuumOnSection> continuum_;
-};
+SharedRegions asked_in_turn(std::vector<SharedRegions> all) {
+  return regions_by([all = std::move(all)](const double* state, double psi, const OwnRotor* own) -> Caught {
+    for (const SharedRegions& regions : all)
+      if (const Caught caught = regions->ask(state, psi, own); caught.attractor) return caught;
+    return {};
+  });
+}
 
 }  // namespace
 
@@ -133,23 +114,21 @@ void set_regions(ClassificationRule& rule, const model::System& system, const Or
                  const std::optional<ContinuumRegion>& continuum, const std::optional<StalledRegion>& stalled) {
   rule.cycles.clear();
   rule.continuum = {};
-  rule.section_regions = nullptr;
-  if (!system.autonomous()) {
-    if (!cycles.empty() || continuum || stalled)
-      rule.section_regions = std::make_shared<const SectionRegions>(system, cycles, continuum, stalled, rule.window);
-    return;
-  }
-  for (const auto& region : cycles) rule.cycles.push_back(table_of(*region, system.balls()));
-  if (!continuum) return;
+  std::vector<SharedRegions> on_section;
+  if (stalled) on_section.push_back(stalled_rotors(system, *stalled));
+  if (system.autonomous())
+    for (const auto& region : cycles) rule.cycles.push_back(table_of(*region, system.balls()));
+  else if (!cycles.empty())
+    on_section.push_back(cycles_on_section(system, cycles));
   // Lanes measure the way to a continuum from the centred rotor.
-  if (system.parameters().race_is_centred())
+  if (continuum && system.autonomous() && system.parameters().race_is_centred())
     rule.continuum = {continuum->reach, regions_by([region = *continuum, size = system.dimension()](
                                                        const double* state, double, const OwnRotor* own) -> Caught {
                         return {region.holds(Eigen::Map<const Eigen::VectorXd>(state, size), own) ? balanced_id : 0};
                       })};
-  else
-    rule.section_regions =
-        std::make_shared<const SectionRegions>(system, OrbitRegions{}, continuum, std::nullopt, rule.window);
+  else if (continuum)
+    on_section.push_back(continuum_on_section(system, *continuum, rule.window));
+  rule.section_regions = on_section.empty() ? nullptr : asked_in_turn(std::move(on_section));
 }
 
 SharedRegions stuck_balls(const model::System& system, const Catalogue& listed) {

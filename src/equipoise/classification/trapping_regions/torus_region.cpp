@@ -1,5 +1,5 @@
-// A cloud of states on a torus, and tangent planes there.
-#include "equipoise/classification/trapping_regions/torus_region.hpp"
+// Trapping regions around attracting tori: a cloud of states on a torus, and tangent planes there.
+#include "equipoise/classification/trapping_regions/window_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,17 +85,24 @@ class TorusRegion final : public WindowRegion {
  private:
   TorusRegion(const model::System& system, int attractor) : WindowRegion(system, attractor) {}
 
-  int cell_of(double first, double second) const {
+  // A row of cells for the first, a cell in it for the second; with one ball there is one row.
+  using Angles = std::array<double, 2>;
+  Angles angles_of(const double* state) const {
+    const double* const phi = state + model::index::phi(0);
+    return balls_ > 1 ? Angles{phi[0], phi[1]} : Angles{0.0, phi[0]};
+  }
+
+  int cell_of(const Angles& angles) const {
     const auto place = [&](double angle) {
       return std::min(cells_ - 1, static_cast<int>(within_a_turn(angle) / two_pi * cells_));
     };
-    return balls_ > 1 ? place(first) * cells_ + place(second) : place(first);
+    return place(angles[0]) * cells_ + place(angles[1]);
   }
 
   // Calls f(number) for all states of the cells around a pair of angles.
   template <class F>
-  void around_angles(double first, double second, F&& f) const {
-    const int rows = balls_ > 1 ? cells_ : 1, cell = cell_of(first, second), row = cell / cells_, place = cell % cells_;
+  void around_angles(const Angles& angles, F&& f) const {
+    const int rows = cell_rows_, cell = cell_of(angles), row = cell / cells_, place = cell % cells_;
     const auto all_in = [&](int begin, int end) {
       for (int k = first_in_cell_[begin]; k < first_in_cell_[end]; ++k) f(k);
     };
@@ -112,10 +119,10 @@ class TorusRegion final : public WindowRegion {
   void sort_into_cells() {
     const auto count = static_cast<int>(states_.cols());
     cells_ = balls_ > 1 ? static_cast<int>(std::sqrt(0.5 * count)) : count / 2;
-    const int all = balls_ > 1 ? cells_ * cells_ : cells_;
+    cell_rows_ = balls_ > 1 ? cells_ : 1;
+    const int all = cell_rows_ * cells_;
     std::vector<std::pair<int, int>> order;
-    const auto second = [&](int k) { return balls_ > 1 ? states_(model::index::phi(1), k) : 0.0; };
-    for (int k = 0; k < count; ++k) order.emplace_back(cell_of(states_(model::index::phi(0), k), second(k)), k);
+    for (int k = 0; k < count; ++k) order.emplace_back(cell_of(angles_of(&states_(0, k))), k);
     std::sort(order.begin(), order.end());
     Eigen::MatrixXd sorted(states_.rows(), count);
     first_in_cell_.assign(static_cast<std::size_t>(all) + 1, 0);
@@ -142,7 +149,7 @@ class TorusRegion final : public WindowRegion {
       ways.clear();
       double longest = 0.0;
       std::size_t farthest = 0;
-      around_angles(here[model::index::phi(0)], balls_ > 1 ? here[model::index::phi(1)] : 0.0, [&](int other) {
+      around_angles(angles_of(here), [&](int other) {
         const double* const there = &states_(0, other);
         double dot = 0.0, square = 0.0;
         for (int i = 0; i < size; ++i) way[i] = there[i] - here[i];
@@ -201,16 +208,15 @@ class TorusRegion final : public WindowRegion {
   void make_patches(const StopFlag* stop) {
     const Eigen::Index size = inverse_scale_.size();
     rows_ = static_cast<int>((size + 3) / 4 * 4);
-    const int rows = balls_ > 1 ? cells_ : 1;
     const double width = two_pi / cells_;
     first_patch_.assign(1, 0);
-    for (int cell = 0; cell < rows * cells_ && !is_set(stop); ++cell) {
-      const double first = ((balls_ > 1 ? cell / cells_ : cell) + 0.5) * width, second = (cell % cells_ + 0.5) * width;
+    for (int cell = 0; cell < cell_rows_ * cells_ && !is_set(stop); ++cell) {
+      const Angles middle{balls_ > 1 ? (cell / cells_ + 0.5) * width : 0.0, (cell % cells_ + 0.5) * width};
       std::vector<std::pair<double, int>> order;
-      around_angles(first, second, [&](int k) {
-        const double a = shorter_way(states_(model::index::phi(0), k) - first);
-        const double b = balls_ > 1 ? shorter_way(states_(model::index::phi(1), k) - second) : 0.0;
-        order.emplace_back(std::max(std::fabs(a), std::fabs(b)), k);
+      around_angles(middle, [&](int k) {
+        const Angles at = angles_of(&states_(0, k));
+        order.emplace_back(
+            std::max(std::fabs(shorter_way(at[0] - middle[0])), std::fabs(shorter_way(at[1] - middle[1]))), k);
       });
       std::sort(order.begin(), order.end());
       // States in the cell and half a cell around it must lie on its planes; if there are none, nearby ones.
@@ -233,7 +239,7 @@ class TorusRegion final : public WindowRegion {
     const Eigen::Index size = inverse_scale_.size();
     std::array<float, max_dimension + 3> here{}, d{};
     for (Eigen::Index i = 0; i < size; ++i) here[i] = static_cast<float>(state[i] * inverse_scale_[i]);
-    const int cell = cell_of(state[4] * inverse_scale_[4], balls_ > 1 ? state[5] * inverse_scale_[5] : 0.0);
+    const int cell = cell_of(angles_of(state));
     // As for the states of the cloud.
     for (int i = 4; i < 4 + balls_; ++i) here[i] = static_cast<float>(within_a_turn(state[i] * inverse_scale_[i]));
     using Four = Eigen::Map<const Eigen::Array4f>;
@@ -257,7 +263,7 @@ class TorusRegion final : public WindowRegion {
     return least;
   }
 
-  int cells_ = 1;
+  int cells_ = 1, cell_rows_ = 1;   // in a row, and how many rows
   Eigen::MatrixXd states_;          // columns, in units of the scale, angles within a turn
   Eigen::MatrixXd tangents_;        // at each: along the flow, then across it; orthonormal, in the same units
   std::vector<int> first_in_cell_;  // and one more than there are cells
@@ -277,7 +283,7 @@ std::shared_ptr<const WindowRegion> torus_region(const model::System& system, co
   if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
   const auto region = TorusRegion::around(system, motion, attractor, settings.stop);
   if (!region) return nullptr;
-  return validate(region, {highest_torus_level, 12, come_close_to_torus}, settings, near) ? region : nullptr;
+  return validate(region, {highest_torus_level, 12}, come_close_to_torus, settings, near) ? region : nullptr;
 }
 
 }  // namespace equipoise

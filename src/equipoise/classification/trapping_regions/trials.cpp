@@ -52,8 +52,6 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   return good;
 }
 
-constexpr double never = 1e9;  // a window that ends after all else
-
 bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted; }
 
 }  // namespace
@@ -61,20 +59,11 @@ bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted;
 ClassificationRule rule_of_regions(const model::System& system) {
   ClassificationRule rule;
   rule.balls = system.balls();
-  rule.first_long_window = never;
+  rule.first_long_window = after_all_else;
   // If the rotor's angle matters, and for continua off centre, regions are tested where half a short window ends.
   if (system.autonomous() && (system.parameters().race_is_centred() || model::balanced_freedom(system) == 0))
-    rule.window = never;
+    rule.window = after_all_else;
   return rule;
-}
-
-ClassificationRule regions_of(const ClassificationRule& rule) {
-  ClassificationRule regions = rule;
-  regions.blind = regions.at_horizon = false;
-  regions.boxes.clear();
-  regions.known.clear();
-  regions.first_long_window = never;
-  return regions;
 }
 
 bool all_attracted(Trials trials, const TrialSettings& settings) {
@@ -85,14 +74,14 @@ bool all_attracted(Trials trials, const TrialSettings& settings) {
   });
 }
 
-std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings) {
+std::vector<char> which_balance(Trials trials, const TrialSettings& settings) {
   return noted(
       settings.notes, "come to", settings.stop,
       [&] {
         std::vector<char> came(trials.states.size() / settings.system->dimension());
         follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
           std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
-                         [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
+                         [](const Fate& fate) { return is_attracted(fate) && fate.attractor == balanced_id; });
           return true;
         });
         return came;
@@ -100,15 +89,6 @@ std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& set
       [&](const std::vector<char>& came) {
         return came.size() * settings.system->dimension() == trials.states.size();
       });
-}
-
-const Eigen::VectorXd& Directions::operator[](std::size_t number) {
-  while (made_.size() <= number) {
-    made_.emplace_back(size_);
-    for (double& x : made_.back()) x = random_.normal();
-    made_.back().normalize();
-  }
-  return made_[number];
 }
 
 namespace {

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "equipoise/core/base/random.hpp"
+#include "equipoise/classification/balanced_regions/critical_level.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
@@ -41,6 +41,9 @@ struct TrialSettings {
 inline constexpr double slowest_worth_it = 2e-3;
 /// All trials come to this share of the level that they begin on: a quarter of the level that will be used.
 inline constexpr double come_inside = 0.125;
+/// A trajectory whose V falls to this share has come to the motion. The first part of all trials is followed that far.
+/// The others stop at come_inside: from there the first ones came to the motion.
+inline constexpr double come_close = 1e-3;
 
 /// This many states are followed together and share a flight.
 inline constexpr std::size_t trial_chunk = 128;
@@ -64,30 +67,14 @@ struct Trials {
   }
 };
 
+inline constexpr double after_all_else = 1e9;  ///< a window's end: nothing waits for it
 /// A rule without windows, in which only trapping regions decide.
 ClassificationRule rule_of_regions(const model::System& system);
 
-/// The trapping regions of `rule`, without its windows.
-ClassificationRule regions_of(const ClassificationRule& rule);
-
 /// Whether all states are attracted; false if stopped.
 bool all_attracted(Trials trials, const TrialSettings& settings);
-/// Which states come to this attractor; incomplete if stopped.
-std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings);
-
-/// Unit vectors, the same for every study, by number or one after the other.
-class Directions {
- public:
-  explicit Directions(Eigen::Index size) : size_(size) {}
-  const Eigen::VectorXd& operator[](std::size_t number);
-  const Eigen::VectorXd& next() { return (*this)[next_++]; }
-
- private:
-  Eigen::Index size_;
-  RandomStream random_;
-  std::deque<Eigen::VectorXd> made_;
-  std::size_t next_ = 0;
-};
+/// Which states come to balance; incomplete if stopped.
+std::vector<char> which_balance(Trials trials, const TrialSettings& settings);
 
 /// Levels from `highest` down over this many halvings, in eighths of one. The steps are small, so a trial that rounding
 /// sends elsewhere changes the level by little.
@@ -106,26 +93,43 @@ struct TrialCounts {
 /// Trials first .. first + count - 1 of `of`.
 struct TryRange {
   std::size_t first, count, of;
+  /// The first part of all trials.
+  bool goes_far() const { return first == 0 && count < of; }
 };
-
-/// These trials, each from state(number, direction, its rotor or null), by the rule of rule_of_regions(). They have no
-/// flight yet.
-template <class State>
-Trials trials_from(const TryRange& tries, Directions& directions, const TrialSettings& settings, State&& state) {
-  Trials trials;
-  trials.first = tries.first;
-  trials.rule = rule_of_regions(*settings.system);
-  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
-    const Eigen::VectorXd z = state(i, directions[i], settings.rotor(i));
-    trials.states.insert(trials.states.end(), z.begin(), z.end());
-  }
-  return trials;
-}
 
 /// Half the highest level at which good(level, tries) holds for all trials; 0 if there is none. Trials run in parts,
 /// the first part last. That a pass at one level implies a pass at lower ones is assumed only to choose the next level.
 /// `near`: a guess, or 0. The search then begins there, and goes up only if a few trials pass.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
                           const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
+
+/// One trial of a level.
+struct Trial {
+  std::size_t number, of;
+  double level;
+  const Eigen::VectorXd& direction;  ///< a unit vector
+  const OwnRotor* own;               ///< the state's rotor, or null
+};
+
+/// highest_good_level() for states on level sets, all of which must be attracted. state(trial) makes them from
+/// directions of `size` components. complete(trials, level, tries) sets their flights, and the regions in a rule of
+/// rule_of_regions(); false: no trial can pass at this level.
+template <class State, class Complete>
+double level_by_trials(const TrialSettings& settings, Eigen::Index size, const LevelLadder& ladder,
+                       const TrialCounts& counts, double near, const State& state, const Complete& complete) {
+  Directions directions(size);
+  const auto good = [&](double level, const TryRange& tries) {
+    Trials trials;
+    trials.first = tries.first;
+    trials.rule = rule_of_regions(*settings.system);
+    for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
+      const Eigen::VectorXd direction = directions[i],
+                            z = state(Trial{i, tries.of, level, direction, settings.rotor(i)});
+      trials.states.insert(trials.states.end(), z.begin(), z.end());
+    }
+    return complete(trials, level, tries) && all_attracted(std::move(trials), settings);
+  };
+  return highest_good_level(ladder, counts, good, near);
+}
 
 }  // namespace equipoise

@@ -19,12 +19,8 @@ namespace equipoise {
 namespace {
 
 constexpr double widest_factor = 64.0;
-// A trajectory whose V falls to this share has come to the motion; the first part of all trials is followed that far.
-// The others stop at come_inside: from there the first ones came to the motion.
-constexpr double come_close = 1e-3;
 // If other rotors' motions lie farther off, V says too little about states near them: other motions come as close.
 constexpr double largest_floor = 0.01;
-constexpr TrialCounts orbit_tries{.first_goes_far = true};
 // Levels where the search begins. In Floquet coordinates, which have no common size: above any that was found good.
 // With the rotor's angle as phase V is |d|^2 or more in natural sizes.
 constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
@@ -34,57 +30,12 @@ constexpr double slowest_balance = 2e-4;
 // Ten times what the linear flow takes from a level `factor` times the region's own, plus time to come close.
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
-// Whether all states tried on the level enter one of the `balanced` regions.
-bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>& balanced, Directions& directions,
-                 const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
-  const auto self = static_cast<std::size_t>(
-      std::find_if(balanced.begin(), balanced.end(), [&](const BalancedRegion& b) { return b.state == region.state; }) -
-      balanced.begin());
-  Trials trials =
-      trials_from(tries, directions, settings, [&](std::size_t, const Eigen::VectorXd& direction, const OwnRotor* own) {
-        return own ? state_on_level(*own, self, level, direction)
-                   : state_on_level(*settings.system, region, level, direction);
-      });
-  trials.rule.balanced = balanced;
-  trials.all_fly_for(patience(level / region.level, slowest_rate));
-  return all_attracted(std::move(trials), settings);
-}
-
 // The row in which trial `i` begins. With the rotor's angle as phase a chunk shares the row, as it shares that angle.
 int row_of(const OrbitRegion& region, std::size_t i) {
   if (region.clock == OrbitRegion::rotor) return static_cast<int>(i / trial_chunk) * 7 % region.rows();
   // In an order that spreads any first few trials over the whole orbit (golden section).
   const double share = 0.6180339887498949 * static_cast<double>(i);
   return static_cast<int>(region.rows() * (share - std::floor(share)));
-}
-
-// Whether all states tried on the level come to the motion.
-bool all_approach(const OrbitRegion& region, Directions& random, const TrialSettings& settings, double slowest_rate,
-                  double floor, double level, const TryRange& tries) {
-  if (floor > std::min(come_inside * level, largest_floor)) return false;
-  const model::System& system = *settings.system;
-  Trials trials =
-      trials_from(tries, random, settings, [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
-        Eigen::VectorXd z = state_on_level(region, row_of(region, i), level, direction);
-        if (own && region.attractor == balanced_id && !system.autonomous())
-          z += balanced_shift(own->system, system, region.nodes.front().state);
-        return z;
-      });
-  auto close = std::make_shared<OrbitRegion>(region);
-  const bool far = tries.first == 0 && tries.of == orbit_tries.all;
-  // A rotor of its own has its motion beside this one, where V does not fall to zero.
-  const double share = far ? std::max(come_close, floor / level) : come_inside;
-  close->level = share * level;
-  set_regions(trials.rule, system, {close}, {});
-  const double end = 2.0 * std::log(1.0 / share) / (2.0 * -slowest_rate) + 200.0;
-  double cell_angle = 0.0;  // unless it is the phase, the rotor's angle does not matter
-  if (region.clock == OrbitRegion::rotor)
-    cell_angle = system.section_angle() / region.cells * (system.speed() < 0.0 ? -1.0 : 1.0);
-  trials.alike = region.clock != OrbitRegion::rotor;
-  trials.flight = [&region, &tries, end, cell_angle](std::size_t first) {
-    return Trials::Flight{end, cell_angle * (row_of(region, tries.first + first) % region.cells)};
-  };
-  return all_attracted(std::move(trials), settings);
 }
 
 }  // namespace
@@ -117,12 +68,33 @@ bool validate(std::vector<OrbitRegion>& regions, const TrialSettings& settings, 
               double floor) {
   const OrbitRegion& one = regions.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
-  const double highest = one.clock == OrbitRegion::rotor ? highest_by_rotor : highest_by_ball;
-  Directions random(directions(one));
-  const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(one, random, settings, slowest_rate, floor, tried, tries);
+  const model::System& system = *settings.system;
+  const bool by_rotor = one.clock == OrbitRegion::rotor;
+  const double highest = by_rotor ? highest_by_rotor : highest_by_ball;
+  // Unless it is the phase, the rotor's angle does not matter.
+  const double cell_angle = by_rotor ? system.section_angle() / one.cells * (system.speed() < 0.0 ? -1.0 : 1.0) : 0.0;
+  const auto state = [&](const Trial& trial) {
+    Eigen::VectorXd z = state_on_level(one, row_of(one, trial.number), trial.level, trial.direction);
+    if (trial.own && one.attractor == balanced_id && !system.autonomous())
+      z += balanced_shift(trial.own->system, system, one.nodes.front().state);
+    return z;
   };
-  const double level = highest_good_level({highest}, orbit_tries, good, near);
+  const auto complete = [&](Trials& trials, double tried, const TryRange& tries) {
+    if (floor > std::min(come_inside * tried, largest_floor)) return false;
+    auto close = std::make_shared<OrbitRegion>(one);
+    // A rotor of its own has its motion beside this one, where V does not fall to zero.
+    const double share = tries.goes_far() ? std::max(come_close, floor / tried) : come_inside;
+    close->level = share * tried;
+    set_regions(trials.rule, system, {close}, {});
+    const double end = 2.0 * std::log(1.0 / share) / (2.0 * -slowest_rate) + 200.0;
+    trials.alike = !by_rotor;
+    trials.flight = [&one, &tries, end, cell_angle](std::size_t first) {
+      return Trials::Flight{end, cell_angle * (row_of(one, tries.first + first) % one.cells)};
+    };
+    return true;
+  };
+  const double level =
+      level_by_trials(settings, directions(one), {highest}, {.first_goes_far = true}, near, state, complete);
   for (OrbitRegion& region : regions) region.level = level;
   return level > 0.0;
 }
@@ -137,19 +109,32 @@ void widen(BalancedRegion& region, const std::vector<BalancedRegion>& balanced, 
   int halvings = 0;
   while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
   const LevelLadder ladder{2.0 * factor * region.level, halvings};
-  Directions directions(settings.system->dimension());
-  const auto good = [&](double tried, const TryRange& tries) {
-    return all_balance(region, balanced, directions, settings, slowest_rate, tried, tries);
+  const auto self = static_cast<std::size_t>(
+      std::find_if(balanced.begin(), balanced.end(), [&](const BalancedRegion& b) { return b.state == region.state; }) -
+      balanced.begin());
+  const auto state = [&](const Trial& trial) {
+    return trial.own ? state_on_level(*trial.own, self, trial.level, trial.direction)
+                     : state_on_level(*settings.system, region, trial.level, trial.direction);
   };
-  const double level = highest_good_level(ladder, TrialCounts{}, good, near * region.level);
+  const auto complete = [&](Trials& trials, double tried, const TryRange&) {
+    trials.rule.balanced = balanced;
+    trials.all_fly_for(patience(tried / region.level, slowest_rate));
+    return true;
+  };
+  const double level =
+      level_by_trials(settings, settings.system->dimension(), ladder, {}, near * region.level, state, complete);
   set_level(region, level > 0.0 ? level : std::ldexp(factor, -halvings) * region.level);
 }
 
 std::vector<char> come_to_balance(std::vector<double> states, const ClassificationRule& rule,
                                   const TrialSettings& settings, double slowest_rate) {
-  Trials trials{std::move(states), regions_of(rule)};
+  Trials trials{std::move(states), rule};
+  trials.rule.blind = trials.rule.at_horizon = false;
+  trials.rule.boxes.clear();
+  trials.rule.known.clear();
+  trials.rule.first_long_window = after_all_else;
   trials.all_fly_for(patience(widest_factor, slowest_rate));
-  return come_to(balanced_id, std::move(trials), settings);
+  return which_balance(std::move(trials), settings);
 }
 
 }  // namespace equipoise

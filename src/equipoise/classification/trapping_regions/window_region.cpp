@@ -63,35 +63,24 @@ void WindowRegion::widen(WindowRegions& bounds) const {
   }
 }
 
-namespace {
-
-bool all_approach(const std::shared_ptr<WindowRegion>& region, Directions& directions, const WindowTries& how,
-                  const TrialSettings& settings, double level, const TryRange& tries) {
+bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, double far_share,
+              const TrialSettings& settings, double near) {
   // Spread over the motion, whatever the order of its states.
-  Trials trials = trials_from(tries, directions, settings,
-                              [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
-                                return region->state_on_level(i * 40503, level, direction, own);
-                              });
-  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
-  const double share = std::max(far ? how.come_close : come_inside, 4.0 * region->floor() / level);
-  if (share > come_inside) return false;
-  region->set_level(share * level);
-  trials.rule.window = window;
-  set_window_regions(trials.rule, {region});
-  // Twice what the slowest approach takes, plus time to come close.
-  trials.all_fly_for(2.0 * region->time_to_level(level) + 200.0);
-  return all_attracted(std::move(trials), settings);
-}
-
-}  // namespace
-
-bool validate(const std::shared_ptr<WindowRegion>& region, const WindowTries& how, const TrialSettings& settings,
-              double near) {
-  Directions directions(settings.system->dimension());
-  const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(region, directions, how, settings, tried, tries);
+  const auto state = [&](const Trial& trial) {
+    return region->state_on_level(trial.number * 40503, trial.level, trial.direction, trial.own);
   };
-  region->set_level(highest_good_level({how.highest, how.halvings}, {.first_goes_far = true}, good, near));
+  const auto complete = [&](Trials& trials, double level, const TryRange& tries) {
+    const double share = std::max(tries.goes_far() ? far_share : come_inside, 4.0 * region->floor() / level);
+    if (share > come_inside) return false;
+    region->set_level(share * level);
+    trials.rule.window = window;
+    set_window_regions(trials.rule, {region});
+    // Twice what the slowest approach takes, plus time to come close.
+    trials.all_fly_for(2.0 * region->time_to_level(level) + 200.0);
+    return true;
+  };
+  const Eigen::Index size = settings.system->dimension();
+  region->set_level(level_by_trials(settings, size, ladder, {.first_goes_far = true}, near, state, complete));
   return region->level() > 0.0;
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
@@ -59,16 +60,15 @@ class WindowRegion {
   double r2_low_ = 1e300, r2_high_ = 0.0;
 };
 
-/// How a level is searched for.
-struct WindowTries {
-  double highest = 1.0;
-  int halvings = 24;
-  double come_close = 1e-3;  ///< the share of the level that the first part of trials must come to
-};
+/// Sets the region's level by trials. False if no level passes. `far_share`: the share of the level that the first
+/// part of trials must come to; `near`: as in highest_good_level().
+bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, double far_share,
+              const TrialSettings& settings, double near = 0.0);
 
-/// Sets the region's level by trials. False if no level passes. `near`: as in highest_good_level().
-bool validate(const std::shared_ptr<WindowRegion>& region, const WindowTries& tries, const TrialSettings& settings,
-              double near = 0.0);
+/// The trapping region around an attracting torus of a smooth system with section `none`: the distance of a state from
+/// a cloud of states on the torus. Trials find its level. Null if there is none. `near`: as in highest_good_level().
+std::shared_ptr<const WindowRegion> torus_region(const model::System& system, const Motion& motion, int attractor,
+                                                 const TrialSettings& settings, double near = 0.0);
 
 /// Makes `rule` test these in place of earlier ones.
 void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions);
