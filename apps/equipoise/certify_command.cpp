@@ -11,7 +11,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/core/base/read_file.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

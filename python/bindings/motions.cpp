@@ -7,7 +7,6 @@
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/analyses/continuation/continuation.hpp"
 #include "equipoise/report/reports/reports.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 #include "equipoise/results/result_files/branches_file.hpp"
 

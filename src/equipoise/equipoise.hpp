@@ -36,7 +36,6 @@
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
 #include "equipoise/extras/planes/stability_plane.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/energy.hpp"

@@ -18,7 +18,6 @@
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "tilt_fixed_flow.hpp"
@@ -50,9 +49,9 @@ TEST(TiltCertificate, IsFoundForEveryStableStateAndReadsBack) {
     EXPECT_TRUE(r.proved()) << overrides.front() << r.note;
     ASSERT_EQ(r.states.size(), 4u);
     const CertificateFile file = checked_certificates(certificates_json(r), "file");
-    ASSERT_EQ(file.certificates.size(), 4u);
+    ASSERT_EQ(file.states.size(), 4u);
     EXPECT_TRUE(file.proved());
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(file.certificates[k].form, r.states[k].certificate.form);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(file.states[k].certificate.form, r.states[k].certificate.form);
     EXPECT_NE(certify_text(r).find("one box"), std::string::npos);
     EXPECT_NE(check_text(file).find("4 balls"), std::string::npos);
   }

@@ -25,7 +25,6 @@
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/results/io/journal.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/inspection.hpp"

@@ -21,7 +21,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/core/math/lyapunov.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
@@ -175,7 +174,7 @@ TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
       std::array<double, model::max_balls> phi{};
       for (int i = 0; i < p.balls; ++i) phi[i] = -region.phi[i];
       const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(region) * sign.asDiagonal();
-      SearchVectors vectors(mirrored.rows());
+      Directions vectors(mirrored.rows());
       const double level = critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000, vectors);
       // level_margin leaves a tenth for the search's error.
       EXPECT_NEAR(level_margin * level / region.level, 1.0, 0.1);

@@ -16,7 +16,6 @@
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"

@@ -10,7 +10,6 @@
 
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace member_certificate_test {

@@ -216,56 +216,38 @@ double level_at_limit(const model::System& system, const double* phi, const Eige
   return room * room / slope.dot(dense::inverse(form) * slope);
 }
 
-// As largest_certificate(), for a rotor that tilts; takes a fraction of a second.
-Certificate largest_of_one_box(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
-                               double critical, std::string* reason) {
-  Certificate best, trial;
-  std::string first;
-  const auto proves = [&](double share) {
-    const CertificateResult result = prove_level(system, phi, form, share * critical, trial);
-    if (result.proved)
-      best = std::move(trial);
-    else if (first.empty())
-      first = result.reason;
-    return result.proved;
-  };
-  double low = 0.5;
-  while (low >= least_of_one_box && !proves(low)) low *= 0.5;
-  for (double high = 2.0 * low; best.level > 0.0 && high > finest_ratio * low;) {
-    const double share = std::sqrt(low * high);
-    (proves(share) ? low : high) = share;
-  }
-  if (reason) *reason = best.level > 0.0 ? "" : first;
-  return best;
-}
-
 }  // namespace
 
 Certificate largest_certificate(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
                                 double critical, std::string* reason, const StopFlag* stop) {
-  if (system.tilts()) return largest_of_one_box(system, phi, form, critical, reason);
   Certificate best;
-  std::string problem = refusal(system), last;
-  if (problem.empty() && form.rows() == system.dimension())
-    critical = std::min(critical, level_at_limit(system, phi, form));
-  double low = least_share, high = 1.0, share = 0.95;
-  while (problem.empty() && high - low > finest) {
+  std::string first, last;
+  const auto proves = [&](double share) {
     Certificate trial;
     const CertificateResult result = prove_level(system, phi, form, share * critical, trial, default_budget, stop);
-    if (is_set(stop)) {
-      problem = not_finished.reason;
+    if (result.proved) best = std::move(trial);
+    if (!result.proved) last = result.reason;
+    if (first.empty()) first = last;
+    return result.proved;
+  };
+  if (system.tilts()) {
+    double low = 0.5;
+    while (low >= least_of_one_box && !proves(low)) low *= 0.5;
+    for (double high = 2.0 * low; best.level > 0.0 && high > finest_ratio * low;) {
+      const double share = std::sqrt(low * high);
+      (proves(share) ? low : high) = share;
+    }
+    last = first;  // of the largest set
+  } else if (last = refusal(system); last.empty()) {
+    if (form.rows() == system.dimension()) critical = std::min(critical, level_at_limit(system, phi, form));
+    for (double low = least_share, high = 1.0, share = 0.95; high - low > finest; share = 0.5 * (low + high)) {
+      (proves(share) ? low : high) = share;
+      if (!is_set(stop)) continue;
+      last = not_finished.reason;
       break;
     }
-    if (result.proved) {
-      low = share;
-      best = std::move(trial);
-    } else {
-      high = share;
-      last = result.reason;
-    }
-    share = 0.5 * (low + high);
   }
-  if (reason) *reason = best.level > 0.0 ? "" : problem.empty() ? last : problem;
+  if (reason) *reason = best.level > 0.0 ? "" : last;
   return best;
 }
 

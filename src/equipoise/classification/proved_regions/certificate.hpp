@@ -46,6 +46,10 @@ struct Certificate {
 /// The proof covers so much more than `level`, relatively: rounding in a program's test V < level is far below it.
 inline constexpr double level_slack = 1e-9;
 
+/// Relative margin by which a search must succeed: far above rounding, so that another compiler's does not refute it,
+/// and far below what decides the share proved.
+inline constexpr double spare_in_search = 1e-11;
+
 /// Boxes tried for one level.
 inline constexpr long default_budget = 20000;
 

@@ -4,7 +4,6 @@
 
 #include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/classification/proved_regions/level_proof.hpp"
-#include "equipoise/classification/proved_regions/level_rates.hpp"
 #include "equipoise/core/math/positive_definite.hpp"
 
 namespace equipoise {

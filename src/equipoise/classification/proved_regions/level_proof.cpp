@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "equipoise/classification/proved_regions/level_frame.hpp"
-#include "equipoise/classification/proved_regions/level_rates.hpp"
 #include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/krawczyk.hpp"

@@ -16,10 +16,6 @@
 
 namespace equipoise {
 
-/// Relative margin by which a search must succeed: far above rounding, so that another compiler's does not refute it,
-/// and far below what decides the share proved.
-inline constexpr double spare_in_search = 1e-11;
-
 /// What a proof is compiled for. Without `body` the speed is prescribed and the race centred; `rolls` is then whether
 /// the balls roll, else that is looked up.
 struct ProofKind {
@@ -125,6 +121,48 @@ class LevelProof {
   double disc_ = 0.0;  // |eta|^2 + |tau|^2 is below this on V <= level
   std::string fault_;
 };
+
+// The equations as proofs run them: on polynomials in what is not a ball's angle.
+
+// A number known to lie in an interval.
+template <int k>
+AffineForm<k> number(const Interval& a, const AffineForm<k>&) {
+  return AffineForm<k>(Constant(a));
+}
+template <int k>
+Gradient<Interval, k> number(const Interval& a, const Gradient<Interval, k>&) {
+  Gradient<Interval, k> r;
+  r.value = a;
+  return r;
+}
+
+// The torque of a motor below its limit, which check_limit() proves it to be, and the rate of its control's integral.
+template <class T, int n, int more>
+HWY_NAMESPACE::MotorState<Expansion<T, n, more>> motor_state(const model::DriveSegment& motor,
+                                                             const Expansion<T, n, more>&,
+                                                             const Expansion<T, n, more>& speed,
+                                                             const Expansion<T, n, more>& error) {
+  using E = Expansion<T, n, more>;
+  E torque = E(motor.constant) + E(motor.slope) * speed;
+  if constexpr (more > 1) torque = torque + E(motor.integral) * error;
+  return {torque, E(motor.aim) - speed};
+}
+
+template <ProofKind kind>
+template <class T>
+typename LevelProof<kind>::template Rates<T> LevelProof<kind>::rates(const Flow<T>& flow,
+                                                                     const std::array<T, n>& angles) const {
+  using E = Motion<T>;
+  E z[size];
+  for (int v = 0; v < etas; ++v) {
+    z[row_of(v)] = E::variable(v);
+    if constexpr (kind.body) z[row_of(v)] = z[row_of(v)] + E(number(rest_[v], T()));
+  }
+  for (int i = 0; i < n; ++i) z[model::index::phi(i)] = E(angles[i]);
+  Rates<T> result;
+  flow(E(0.0), z, result.data());
+  return result;
+}
 
 /// Calls `f` with the kind of a system as a constant: one or two balls.
 template <class F>

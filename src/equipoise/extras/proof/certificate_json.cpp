@@ -1,5 +1,5 @@
 // Certificates as JSON: readable by people, with one line per box.
-#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 
 #include <algorithm>
 #include <array>
@@ -327,10 +327,12 @@ std::vector<MemberCertificate> members_from_json(const std::string& text, const 
 }
 
 CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop) {
-  CertificateFile file{where, certificates_from_json(text, where), {}, members_from_json(text, where), {}};
-  for (const Certificate& certificate : file.certificates) file.checks.push_back(check_certificate(certificate, stop));
-  for (const MemberCertificate& member : file.members)
-    file.member_checks.push_back(is_set(stop) ? CertificateResult{false, words::proof::stopped} : check_member(member));
+  CertificateFile file{where, {}, {}};
+  for (Certificate& c : certificates_from_json(text, where)) file.states.emplace_back().certificate = std::move(c);
+  for (MemberCertificate& c : members_from_json(text, where)) file.members.emplace_back().certificate = std::move(c);
+  for (StateProof& s : file.states) s.check = check_certificate(s.certificate, stop);
+  for (MemberProof& m : file.members)
+    m.check = is_set(stop) ? CertificateResult{false, words::proof::stopped} : check_member(m.certificate);
   return file;
 }
 

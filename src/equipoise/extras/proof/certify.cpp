@@ -123,10 +123,10 @@ int CertifyResult::members_proved(bool attracts) const {
 }
 
 bool CertificateFile::proved() const {
-  const auto all = [](const std::vector<CertificateResult>& results) {
-    return std::all_of(results.begin(), results.end(), [](const auto& check) { return check.proved; });
+  const auto all = [](const auto& proofs) {
+    return std::all_of(proofs.begin(), proofs.end(), [](const auto& proof) { return proof.check.proved; });
   };
-  return (!checks.empty() || !member_checks.empty()) && all(checks) && all(member_checks);
+  return (!states.empty() || !members.empty()) && all(states) && all(members);
 }
 
 CertifyResult certify(const Study& study, const RunOptions& options) {

@@ -11,6 +11,7 @@
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/machine/model/parameters.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -83,13 +84,11 @@ struct CertifyResult {
   int members_proved(bool attracts) const;
 };
 
-/// Certificates read from a file, and what check_certificate() says of each.
+/// Certificates read from a file, each with its check.
 struct CertificateFile {
   std::string path;
-  std::vector<Certificate> certificates;
-  std::vector<CertificateResult> checks;
-  std::vector<MemberCertificate> members;
-  std::vector<CertificateResult> member_checks;
+  std::vector<StateProof> states;
+  std::vector<MemberProof> members;
   /// Whether all of them are valid.
   bool proved() const;
 };
@@ -99,5 +98,29 @@ struct CertificateFile {
 /// result is partial: states not reached are not proved, and say so. Uses one thread. Throws InputError for anisotropic
 /// supports, gravity, and balls that collide or stick.
 CertifyResult certify(const Study& study, const RunOptions& options = {});
+
+/// For the terminal.
+std::string certify_text(const CertifyResult& result, const TextStyle& style = wide_style);
+std::string check_text(const CertificateFile& file, const TextStyle& style = wide_style);
+
+/// One JSON object without the boxes; docs/reference/commands/certify.md lists the keys.
+std::string certify_json(const CertifyResult& result);
+std::string check_json(const CertificateFile& file);
+
+/// One JSON object, readable by certificates_from_json(); docs/reference/commands/certify.md lists its keys.
+std::string certificates_json(const std::vector<Certificate>& certificates,
+                              const std::vector<MemberCertificate>& members = {});
+
+/// Everything that `result` proved; empty if nothing.
+std::string certificates_json(const CertifyResult& result);
+
+/// Reads what certificates_json() wrote. Throws InputError, naming `where` and the key, for anything else. Whether a
+/// certificate is valid is checked by check_certificate() and check_member().
+std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where);
+std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where);
+
+/// Reads such a text and checks each certificate from its own data. Throws what certificates_from_json() throws.
+/// Once `stop` is set, what has not been checked counts as not proved.
+CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

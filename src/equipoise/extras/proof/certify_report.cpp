@@ -1,5 +1,5 @@
 // Proofs about balanced states as text and as JSON.
-#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 
 #include <algorithm>
 
@@ -142,34 +142,34 @@ std::string certify_json(const CertifyResult& r) {
 }
 
 std::string check_text(const CertificateFile& file, const TextStyle& style) {
+  const auto verdict = [](const CertificateResult& check) {
+    return check.proved ? "proved" : "NOT proved, " + check.reason;
+  };
   std::string text;
-  for (std::size_t i = 0; i < file.checks.size(); ++i) {
-    const Certificate& c = file.certificates[i];
-    const int balls = c.parameters.balls;
-    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {}: {}\n", c.speed, c.motor ? " by a motor" : "", balls,
-                        plural(balls), c.level, boxes_text(c),
-                        file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  for (const StateProof& s : file.states) {
+    const Certificate& c = s.certificate;
+    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {}: {}\n", c.speed, c.motor ? " by a motor" : "",
+                        c.parameters.balls, plural(c.parameters.balls), c.level, boxes_text(c), verdict(s.check));
   }
-  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
-    const MemberCertificate& c = file.members[i];
+  for (const MemberProof& m : file.members) {
+    const MemberCertificate& c = m.certificate;
     text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
-                        c.attracts ? "attracts" : "unstable",
-                        file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
+                        c.attracts ? "attracts" : "unstable", verdict(m.check));
   }
   return lines_filled(text, style);
 }
 
 std::string check_json(const CertificateFile& file) {
   Json json = object("proved", file.proved(), "file", file.path, "certificates", Json::array());
-  for (std::size_t i = 0; i < file.checks.size(); ++i) {
-    const Certificate& c = file.certificates[i];
-    json["certificates"].push_back(object("proved", file.checks[i].proved, "reason", file.checks[i].reason, "speed",
-                                          c.speed, "level", c.level, "boxes", c.boxes.size()));
+  for (const StateProof& s : file.states) {
+    const Certificate& c = s.certificate;
+    json["certificates"].push_back(object("proved", s.check.proved, "reason", s.check.reason, "speed", c.speed, "level",
+                                          c.level, "boxes", c.boxes.size()));
   }
-  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
-    const MemberCertificate& c = file.members[i];
-    json["members"].push_back(object("proved", file.member_checks[i].proved, "reason", file.member_checks[i].reason,
-                                     "attracts", c.attracts, "speed", c.speed, "level", c.level));
+  for (const MemberProof& m : file.members) {
+    const MemberCertificate& c = m.certificate;
+    json["members"].push_back(object("proved", m.check.proved, "reason", m.check.reason, "attracts", c.attracts,
+                                     "speed", c.speed, "level", c.level));
   }
   put(json, "version", version_string);
   return json.dump(2) + "\n";

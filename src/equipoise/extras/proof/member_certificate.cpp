@@ -13,7 +13,6 @@
 #include "equipoise/core/math/positive_definite.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/classification/proved_regions/level_proof.hpp"
 #include "equipoise/classification/start_runs/words.hpp"
 
 namespace equipoise {
