@@ -1,5 +1,5 @@
 // V estimated from nearby members, against V of the member that a state comes to; states that are refused without it.
-#include "equipoise/classification/trapping_regions/continuum_estimate.hpp"
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
 
 #include <cmath>
 #include <memory>
@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/classification/trapping_regions/continuum_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/machine/model/parameters.hpp"
 #include "equipoise/study/contents/study.hpp"

@@ -113,14 +113,14 @@ TEST(OrbitRegions, ExchangeOfEqualBallsIsNoDifference) {
 // The rule catches every motion that it was made for, and its exchange image.
 TEST(OrbitRegions, RulesCatchTheirMotions) {
   const Found& found = by_rotor();
-  ASSERT_TRUE(found.all.rule.section_regions);
+  ASSERT_TRUE(found.all.rule.section.regions);
   for (const auto& [of, region] : found.regions) {
     const VectorXd z = of->motion.state, swapped = z(exchanged_components(2, {1, 0}));
-    EXPECT_EQ(found.all.rule.section_regions->ask(z.data(), 0.0, nullptr).attractor, of->id) << of->name;
-    EXPECT_EQ(found.all.rule.section_regions->ask(swapped.data(), 0.0, nullptr).attractor, of->id) << of->name;
+    EXPECT_EQ(found.all.rule.section.regions->ask(z.data(), 0.0, nullptr).attractor, of->id) << of->name;
+    EXPECT_EQ(found.all.rule.section.regions->ask(swapped.data(), 0.0, nullptr).attractor, of->id) << of->name;
   }
   EXPECT_FALSE(by_ball().all.rule.cycles.empty());
-  EXPECT_FALSE(by_ball().all.rule.section_regions);
+  EXPECT_FALSE(by_ball().all.rule.section.regions);
   EXPECT_TRUE(found.all.rule.cycles.empty());
 }
 

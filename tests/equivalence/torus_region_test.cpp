@@ -122,7 +122,7 @@ TEST(TorusRegion, TellsWhatDoesNotBalance) {
   ASSERT_FALSE(rule.balanced.empty());
   set_window_regions(rule, {found.region});
   std::vector<double> states(found.motion.state.begin(), found.motion.state.end());
-  const Eigen::VectorXd balanced = model::balanced_state(found.system, 2.4, rule.balanced[0].phi.data());
+  const Eigen::VectorXd balanced = model::balanced_state(found.system, 2.4, rule.balanced[0].angles());
   states.insert(states.end(), balanced.begin(), balanced.end());
   EXPECT_EQ(come_to_balance(states, rule, found.settings, -0.024), (std::vector<char>{0, 1}));
 }

@@ -71,8 +71,8 @@ TEST(BalancedAnalysis, StatesOnALevelHaveThatValue) {
   Directions random(model::dimension(2));
   for (const BalancedRegion& region : analysis.regions)
     for (int k = 0; k < 10; ++k) {
-      const VectorXd z = state_on_level({p, 2.4}, region, 0.5 * region.level, random.next());
-      VectorXd d = z - model::centred_state(p, region.phi.data());
+      const VectorXd z = state_on_level(region, 0.5 * region.level, random.next());
+      VectorXd d = z - model::centred_state(p, region.angles());
       EXPECT_NEAR(d.dot(form_of(region) * d), 0.5 * region.level, 1e-9 * region.level);
       for (Eigen::Index i = 0; i < d.size(); ++i) EXPECT_LT(std::fabs(d[i]), region.reach[i]);
     }

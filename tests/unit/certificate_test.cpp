@@ -51,7 +51,9 @@ Case case_of(const model::Parameters& p, double speed, std::size_t state = 0) {
   const int size = model::dimension(p.balls);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
       region.factor.data(), size, size);
-  return {p, speed, region.phi, factor.transpose() * factor, region.level / level_margin};
+  Case c{p, speed, {}, factor.transpose() * factor, region.level / level_margin};
+  std::copy_n(region.angles(), p.balls, c.phi.begin());
+  return c;
 }
 
 CertificateResult prove(const Case& c, double share, Certificate& certificate) {
@@ -172,7 +174,7 @@ TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
         nearest = std::min(nearest, std::fabs(other.level / region.level - 1.0));
       EXPECT_LT(nearest, 1e-9);
       std::array<double, model::max_balls> phi{};
-      for (int i = 0; i < p.balls; ++i) phi[i] = -region.phi[i];
+      for (int i = 0; i < p.balls; ++i) phi[i] = -region.angles()[i];
       const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(region) * sign.asDiagonal();
       Directions vectors(mirrored.rows());
       const double level = critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000, vectors);

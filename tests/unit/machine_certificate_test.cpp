@@ -93,7 +93,7 @@ Proved largest(const model::System& system) {
   const BalancedRegion region = analyse_balanced(system).regions.at(0);
   const double critical = region.level / level_margin;
   std::string reason;
-  const Certificate c = largest_certificate(system, region.phi.data(), form_of(region), critical, &reason);
+  const Certificate c = largest_certificate(system, region.angles(), form_of(region), critical, &reason);
   EXPECT_EQ(reason, "");
   return {c, critical};
 }

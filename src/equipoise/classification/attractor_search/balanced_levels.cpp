@@ -66,7 +66,7 @@ double nearest_elsewhere(const Search& s) {
 
 void prove_levels(Search& s) {
   level_each(s.result.rule.balanced, s.system.parameters(), [&](BalancedRegion& region) {
-    const Certificate certificate = largest_certificate(s.system, region.phi.data(), form_of(region),
+    const Certificate certificate = largest_certificate(s.system, region.angles(), form_of(region),
                                                         region.level / level_margin, nullptr, s.settings.stop);
     // The kernels' V is off by rounding, a part in 10^13.
     set_level(region, certificate.level * (1.0 - 1e-9));

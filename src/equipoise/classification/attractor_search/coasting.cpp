@@ -35,15 +35,9 @@ AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
   const auto region = std::make_shared<const CoastingRegion>(system, study.stall_speed(), horizon);
   result.coasting = region;
   const int stalled = list_ends(system, result.catalogue);
-  const SharedRegions ends = regions_by([region, stalled, stop](const double* state, double, const OwnRotor*) {
+  rule.section.regions = regions_by([region, stalled, stop](const double* state, double, const OwnRotor*) {
     return region->stalls(state) ? Caught{stalled} : region->balances(state, stop);
   });
-  if (rule.at_horizon) {
-    rule.section_regions = ends;
-  } else {
-    rule.windowed.regions = ends;
-    rule.windowed.r2_low = -1.0;
-  }
   return result;
 }
 

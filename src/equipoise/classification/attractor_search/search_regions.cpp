@@ -107,7 +107,7 @@ void SearchRegions::set_rule() {
     set_regions(s_.result.rule, s_.system, cycles_, continuum_, stalled_);
     return;
   }
-  s_.result.rule.section_regions = stuck_balls(s_.system, s_.result.catalogue);
+  s_.result.rule.section.regions = stuck_balls(s_.system, s_.result.catalogue);
 }
 
 void SearchRegions::level_balanced() {

@@ -14,8 +14,6 @@
 #include "equipoise/core/math/lyapunov.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/machine/model/ball_count.hpp"
-#include "equipoise/simulation/rule/region_values-inl.hpp"
 
 namespace equipoise {
 
@@ -124,12 +122,11 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
 }
 
 using Angles = std::array<double, model::max_balls>;
-using Centre = std::array<double, max_dimension>;
+using Place = std::array<double, max_dimension>;
 
-BalancedRegion make_region(const Angles& phi, const Centre& centre, const Eigen::MatrixXd& form, double level) {
+BalancedRegion make_region(const Place& place, const Eigen::MatrixXd& form, double level) {
   BalancedRegion region;
-  region.phi = phi;
-  region.centre = centre;
+  region.place = place;
   region.level = level;
   const auto size = static_cast<int>(form.rows());
   const Eigen::MatrixXd factor = dense::Cholesky(form).upper();
@@ -161,10 +158,10 @@ BalancedRegion isolated_region(const model::System& system, const Angles& phi, d
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
   const Eigen::MatrixXd& form = use_modal ? modal : plain;
   const double level = use_modal ? modal_level : plain_level;
-  Centre centre{};
-  std::copy(state.begin(), state.end(), centre.begin());
-  std::fill_n(centre.begin() + model::index::phi(0), system.balls(), 0.0);
-  return make_region(phi, centre, form, level_margin * level);
+  Place place{};
+  std::copy(state.begin(), state.end(), place.begin());
+  std::copy_n(phi.begin(), system.balls(), place.begin() + model::index::phi(0));
+  return make_region(place, form, level_margin * level);
 }
 
 // Sign of a state's component in the mirror image, whose rotor turns the other way.
@@ -185,14 +182,12 @@ model::System reflected(const model::System& system) {
 
 BalancedRegion reflected(const model::System& system, const BalancedRegion& region) {
   Eigen::VectorXd sign(system.dimension());
-  Centre centre = region.centre;
+  Place place = region.place;
   for (int i = 0; i < system.dimension(); ++i) {
     sign[i] = mirror_sign(system, i);
-    centre[i] *= sign[i];
+    place[i] *= sign[i];
   }
-  Angles phi{};
-  for (int i = 0; i < system.balls(); ++i) phi[i] = -region.phi[i];
-  return make_region(phi, centre, sign.asDiagonal() * form_of(region) * sign.asDiagonal(), region.level);
+  return make_region(place, sign.asDiagonal() * form_of(region) * sign.asDiagonal(), region.level);
 }
 
 }  // namespace
@@ -200,7 +195,9 @@ BalancedRegion reflected(const model::System& system, const BalancedRegion& regi
 BalancedRegion exchanged(const BalancedRegion& region) {
   const Eigen::MatrixXd form = form_of(region);
   const Eigen::VectorXi from = exchanged_components(2, {1, 0}, form.rows());
-  return make_region({region.phi[1], region.phi[0]}, region.centre, form(from, from), region.level);
+  Place place = region.place;
+  std::swap(place[model::index::phi(0)], place[model::index::phi(1)]);
+  return make_region(place, form(from, from), region.level);
 }
 
 // The search always runs for a rotor that turns forwards, so that mirror images have the same level.
@@ -232,12 +229,6 @@ void set_level(BalancedRegion& region, double level) {
   for (double& reach : region.reach) reach *= stretch;
 }
 
-double value(const model::System& system, const BalancedRegion& region, const double* state) {
-  const model::BallCount<model::any_count> count(system.balls());
-  return HWY_NAMESPACE::balanced_region_value(region.place(system.balls()).data(), region.factor.data(), count,
-                                              system.dimension(), state);
-}
-
 double touching_level(const model::System& system, const BalancedRegion& region) {
   const model::Parameters& p = system.parameters();
   double level = std::numeric_limits<double>::infinity();
@@ -245,16 +236,15 @@ double touching_level(const model::System& system, const BalancedRegion& region)
   const Eigen::MatrixXd inverse = dense::inverse(form_of(region));
   for (int i = 0; i < p.balls; ++i)
     for (int k = 0; k < i; ++k) {
-      const double room = std::max(std::fabs(wrapped(region.phi[i] - region.phi[k])) - p.contact_angle, 0.0);
+      const double room = std::max(std::fabs(wrapped(region.angles()[i] - region.angles()[k])) - p.contact_angle, 0.0);
       const int a = model::index::phi(i), b = model::index::phi(k);
       level = std::min(level, room * room / (inverse(a, a) + inverse(b, b) - 2.0 * inverse(a, b)));
     }
   return level;
 }
 
-Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
-                               const Eigen::VectorXd& direction) {
-  return state_on_level(region.place(system.balls()).data(), region.factor.data(), level, direction);
+Eigen::VectorXd state_on_level(const BalancedRegion& region, double level, const Eigen::VectorXd& direction) {
+  return state_on_level(region.place.data(), region.factor.data(), level, direction);
 }
 
 Eigen::VectorXd state_on_level(const double* place, const double* factor, double level,

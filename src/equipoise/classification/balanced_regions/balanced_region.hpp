@@ -32,16 +32,13 @@ Eigen::MatrixXd form_of(const BalancedRegion& region);
 /// Sets the level, and the reach with it.
 void set_level(BalancedRegion& region, double level);
 
-double value(const model::System& system, const BalancedRegion& region, const double* state);
-
 /// The level of a trapping region at which two balls could touch. On d^T P d = c the angle between two balls deviates
 /// by at most sqrt(c l^T P^-1 l), with l the difference of their angles. Infinite if balls pass each other; 0 if they
 /// would overlap in balance.
 double touching_level(const model::System& system, const BalancedRegion& region);
 
 /// A state on the level `level`. `direction`: a unit vector of the state's size.
-Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
-                               const Eigen::VectorXd& direction);
+Eigen::VectorXd state_on_level(const BalancedRegion& region, double level, const Eigen::VectorXd& direction);
 Eigen::VectorXd state_on_level(const double* place, const double* factor, double level,
                                const Eigen::VectorXd& direction);
 

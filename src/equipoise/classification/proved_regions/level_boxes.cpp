@@ -110,11 +110,11 @@ typename LevelProof<kind>::Slice LevelProof<kind>::slice(const Box& box) const {
   for (int row = 0; row < size; ++row) {
     still[row] = f[row].coefficient[0];
     for (int i = 0; i < n; ++i) {
-      still[row] = still[row] - delta[i] * jacobian_constant_[row][model::index::phi(i)];
-      bend[row][i] = f[row].coefficient[Motion<Affine>::square_of(i)] - Affine(square_constant_[row][i]);
+      still[row] = still[row] - delta[i] * Constant(jacobian_[row][model::index::phi(i)]);
+      bend[row][i] = f[row].coefficient[Motion<Affine>::square_of(i)] - Affine(Constant(square_[row][i]));
     }
     for (int v = 0; v < etas; ++v) {
-      moving[row][v] = f[row].coefficient[1 + v] - Affine(jacobian_constant_[row][row_of(v)]);
+      moving[row][v] = f[row].coefficient[1 + v] - Affine(Constant(jacobian_[row][row_of(v)]));
       still[row] = still[row] + moving[row][v] * w_of_tau[v];
     }
   }
@@ -126,7 +126,7 @@ typename LevelProof<kind>::Slice LevelProof<kind>::slice(const Box& box) const {
   for (int a = 0; a < size; ++a) {
     std::array<Affine, etas> by_w;
     for (int row = 0; row < size; ++row) {
-      const Constant& g = gradient_constant_[a][row];
+      const Constant g(gradient_[a][row]);
       at_rest[a] = at_rest[a] + still[row] * g;
       for (int v = 0; v < etas; ++v) by_w[v] = by_w[v] + moving[row][v] * g;
       for (int i = 0; i < n; ++i) bent[a][i] = bent[a][i] + bend[row][i] * g;
@@ -168,12 +168,12 @@ typename LevelProof<kind>::Slice LevelProof<kind>::slice(const Box& box) const {
     for (int row = 0; row < size; ++row)
       for (int v = 0; v < etas; ++v)
         bend_by_speed[row][v] =
-            f[row].coefficient[Motion<Affine>::product_with_speed(v)] - Affine(by_speed_constant_[row][v]);
+            f[row].coefficient[Motion<Affine>::product_with_speed(v)] - Affine(Constant(by_speed_[row][v]));
     std::array<Affine, size> rest;
     for (int a = 0; a < size; ++a)
       for (int v = 0; v < etas; ++v) {
         Affine by_w;
-        for (int row = 0; row < size; ++row) by_w = by_w + bend_by_speed[row][v] * gradient_constant_[a][row];
+        for (int row = 0; row < size; ++row) by_w = by_w + bend_by_speed[row][v] * Constant(gradient_[a][row]);
         rest[a] = rest[a] + by_w * w_of_tau[v];
         for (int j = 0; j < etas; ++j) by_eta[a][j] = by_eta[a][j] + by_w * Constant(frame_[row_of(v)][j]);
       }

@@ -160,17 +160,9 @@ void LevelProof<kind>::linearise() {
     for (int i = 0; i < n; ++i) {
       jacobian_[row][model::index::phi(i)] = f[row].coefficient[0].slope[i];
       square_[row][i] = f[row].coefficient[Motion<Slope>::square_of(i)].value;
-      square_constant_[row][i] = Constant(square_[row][i]);
     }
     if constexpr (kind.driven)
-      for (int v = 0; v < etas; ++v) {
-        by_speed_[row][v] = f[row].coefficient[Motion<Slope>::product_with_speed(v)].value;
-        by_speed_constant_[row][v] = Constant(by_speed_[row][v]);
-      }
-    for (int j = 0; j < size; ++j) {
-      jacobian_constant_[row][j] = Constant(jacobian_[row][j]);
-      gradient_constant_[row][j] = Constant(gradient_[row][j]);
-    }
+      for (int v = 0; v < etas; ++v) by_speed_[row][v] = f[row].coefficient[Motion<Slope>::product_with_speed(v)].value;
   }
   linear_ = product<size, size, size>(product<size, size, size>(gradient_, jacobian_), frame_);
   const auto along = product<size, size, n>(gradient_, square_);

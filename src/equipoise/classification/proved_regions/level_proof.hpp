@@ -115,10 +115,7 @@ class LevelProof {
   Rows<Interval, etas> by_speed_{};                      // C
   Rows<Interval, size> linear_{};                        // G J D
   std::array<Rows<Interval, size>, thetas> bilinear_{};  // G b_i (row of q_i in D); G C (rows of w in D)
-  Rows<Constant, size> gradient_constant_{}, jacobian_constant_{};
-  Rows<Constant, n> square_constant_{};
-  Rows<Constant, etas> by_speed_constant_{};
-  double disc_ = 0.0;  // |eta|^2 + |tau|^2 is below this on V <= level
+  double disc_ = 0.0;                                    // |eta|^2 + |tau|^2 is below this on V <= level
   std::string fault_;
 };
 

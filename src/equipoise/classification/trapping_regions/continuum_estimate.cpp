@@ -1,5 +1,5 @@
 // Finds the nearest member, up to an exchange of balls, and uses its form; bounds the distance from all members.
-#include "equipoise/classification/trapping_regions/continuum_estimate.hpp"
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/unbalance.hpp"

@@ -176,13 +176,6 @@ std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& m
   return arcs;
 }
 
-// Adds the first node again, a period later.
-void close(const model::System& system, const PeriodicOrbit& orbit, Arcs& arcs) {
-  Node again = arcs.nodes.front();
-  again.state += shift_of(system, orbit);
-  arcs.nodes.push_back(std::move(again));
-}
-
 // P = integral of |d|^2 e^{2 a t} along the linear flow, a = 0.8 of the slowest rate, so that V falls at least as e^{-2
 // a t}; scaled so that V is |d|^2 or more. False if there is none.
 bool integrate_forms(Arcs& arcs, double h, double slowest_rate) {
@@ -222,7 +215,9 @@ std::vector<OrbitRegion> regions_by_rotor(const model::System& system, const Mot
   auto arcs = system.prescribed() ? arcs_over_sections(system, motion.orbit, region.unit)
                                   : arcs_over_turns(system, motion, region.unit, region.turns);
   if (!arcs) return {};
-  close(system, motion.orbit, *arcs);
+  Node again = arcs->nodes.front();  // a period later
+  again.state += shift_of(system, motion.orbit);
+  arcs->nodes.push_back(std::move(again));
   const double time = system.prescribed() ? system.section_period() / cells_per_section
                                           : motion.orbit.period / region.rows();  // of a cell, on average
   if (!integrate_forms(*arcs, time, motion.orbit.slowest_rate())) return {};

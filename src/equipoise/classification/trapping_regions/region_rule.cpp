@@ -128,7 +128,7 @@ void set_regions(ClassificationRule& rule, const model::System& system, const Or
                       })};
   else if (continuum)
     on_section.push_back(continuum_on_section(system, *continuum, rule.window));
-  rule.section_regions = on_section.empty() ? nullptr : asked_in_turn(std::move(on_section));
+  rule.section.regions = on_section.empty() ? nullptr : asked_in_turn(std::move(on_section));
 }
 
 SharedRegions stuck_balls(const model::System& system, const Catalogue& listed) {

@@ -114,7 +114,7 @@ void widen(BalancedRegion& region, const std::vector<BalancedRegion>& balanced, 
       balanced.begin());
   const auto state = [&](const Trial& trial) {
     return trial.own ? state_on_level(*trial.own, self, trial.level, trial.direction)
-                     : state_on_level(*settings.system, region, trial.level, trial.direction);
+                     : state_on_level(region, trial.level, trial.direction);
   };
   const auto complete = [&](Trials& trials, double tried, const TryRange&) {
     trials.rule.balanced = balanced;

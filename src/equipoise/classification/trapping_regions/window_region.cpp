@@ -14,6 +14,7 @@ constexpr double window = 4.0;  // of trials, tested twice in it
 // Share of the time that the slowest approach takes: other directions fall faster.
 constexpr double approach = 0.5;
 constexpr double away_in_window = 2.0;
+constexpr int watched_half_windows = 12;
 
 }  // namespace
 
@@ -87,6 +88,7 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& la
 void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions) {
   rule.windowed = {};
   if (regions.empty()) return;
+  rule.windowed.watched = watched_half_windows;
   rule.windowed.r2_low = rule.windowed.q_low = infinite;
   rule.windowed.r2_high = rule.windowed.q_high = -infinite;
   for (const auto& region : regions) region->widen(rule.windowed);

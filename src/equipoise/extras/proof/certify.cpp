@@ -30,10 +30,10 @@ StateProof prove(const model::System& system, const BalancedRegion& region, cons
   proof.critical = region.level / level_margin;
   auto begin = std::chrono::steady_clock::now();
   proof.certificate =
-      largest_certificate(system, region.phi.data(), form_of(region), proof.critical, &proof.check.reason, stop);
+      largest_certificate(system, region.angles(), form_of(region), proof.critical, &proof.check.reason, stop);
   proof.seconds = seconds_since(begin);
   if (proof.certificate.level == 0.0) {
-    proof.certificate.phi = region.phi;
+    std::copy_n(region.angles(), system.balls(), proof.certificate.phi.begin());
     return proof;
   }
   begin = std::chrono::steady_clock::now();

@@ -42,9 +42,8 @@ SharedRegions regions_by(Test test) {
 
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedRegion {
-  std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
-  /// Its other components: 0, except for a driven rotor's speed, and all of them under an off-centre race.
-  std::array<double, max_dimension> centre{};
+  /// The balanced state. A trajectory with its own rotor (simulation/batch/own_rotor.hpp) has that rotor's instead.
+  std::array<double, max_dimension> place{};
   int state = 0;  ///< its number among the rotor's balanced states (machine/balance/balanced_state.hpp)
   /// Upper triangular F, row-major dimension x dimension of the system: the Lyapunov function of a deviation d is
   /// V = |F d|^2.
@@ -53,13 +52,7 @@ struct BalancedRegion {
   std::array<double, max_dimension> reach{};  ///< largest deviation inside, by component
   DecidedBy by = DecidedBy::validated;
 
-  /// The whole balanced state. A trajectory with its own rotor (simulation/batch/own_rotor.hpp) has that rotor's
-  /// instead.
-  std::array<double, max_dimension> place(int balls) const {
-    std::array<double, max_dimension> result = centre;
-    for (int i = 0; i < balls; ++i) result[model::index::phi(i)] = phi[i];
-    return result;
-  }
+  const double* angles() const { return &place[model::index::phi(0)]; }  ///< of the balls in the balanced state
 };
 
 /// A trapping region around a stable periodic orbit (classification/trapping_regions/orbit_region.hpp) in the form that
@@ -114,16 +107,16 @@ struct ContinuumRegions {
   SharedRegions regions;
 };
 
-/// For motions of a system that does not depend on the rotor's angle. One state at a time is tested, where a half short
-/// window ends that has stayed within these bounds of r^2 and of all q.
+/// Regions that test one state at a time, where a half short window ends that has stayed within these bounds of r^2 and
+/// of all q.
 struct WindowRegions {
-  SharedRegions regions;
-  double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
+  SharedRegions regions;  ///< may be null
+  double r2_low = -1.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
   /// A lane is not tested again for this share of the time followed so far, if that is longer than half a window.
   double rest = 0.0;
   /// Audits (ClassificationRule::blind): half windows for which a caught trajectory is followed on, so that boxes see
   /// them.
-  int watched = 12;
+  int watched = 0;
 };
 
 /// A driven rotor that turns faster, in critical speeds, is given up: no machine does, and the integrator's steps
@@ -146,11 +139,11 @@ struct ClassificationRule {
   std::vector<BalancedRegion> balanced;  ///< at most most_balanced, or most_balanced_of_tilt
   std::vector<OrbitRegionTable> cycles;
   ContinuumRegions continuum;
-  /// Trapping regions of a rotor with anisotropic supports or gravity, driven or not: tested at the end of each half
-  /// short window. May be null. Kernels of plain rotors do not test them.
-  SharedRegions section_regions;
-  WindowRegions windowed;
-  double sag = 0.0;  ///< r is measured from Y = sag, X = 0 in fixed axes; not by kernels of plain rotors
+  /// Of a rotor with anisotropic supports or gravity, driven or not. At the horizon they decide. Kernels of plain
+  /// rotors do not test them.
+  WindowRegions section;
+  WindowRegions windowed;  ///< of motions of a system that does not depend on the rotor's angle
+  double sag = 0.0;        ///< r is measured from Y = sag, X = 0 in fixed axes; not by kernels of plain rotors
   /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
   double fastest = runaway_speed;
   double window = 16.0;              ///< length of a short window

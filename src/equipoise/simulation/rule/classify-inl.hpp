@@ -28,8 +28,8 @@ namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in simulation/batch/batch_block-inl.hpp.
 //
-// Except for plain rotors the rotor's angle is known, r is measured from the sag, and
-// ClassificationRule::section_regions is tested if set. Plain rotors pay for none of this.
+// Except for plain rotors the rotor's angle is known, r is measured from the sag, and ClassificationRule::section is
+// tested if set. Plain rotors pay for none of this.
 template <int room, int groups, BatchKind kind = BatchKind::plain>
 class ClassifyFate {
  public:
@@ -51,10 +51,7 @@ class ClassifyFate {
         pilot_(pilot),
         trackers_(groups * lanes),
         continuum_reach_(groups * lanes),
-        windowed_asked_from_(groups * lanes),
-        window_catch_(groups * lanes) {
-    for (const BalancedRegion& region : rule.balanced) centres_.push_back(region.place(n));
-  }
+        window_catch_(groups * lanes) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     start_[slot] = start;
@@ -63,8 +60,7 @@ class ClassifyFate {
     verdict_[slot] = {};
     trackers_[slot].begin(rule_, own(slot));
     continuum_reach_[slot] = rule_.continuum.reach;
-    windowed_asked_from_[slot] = t;
-    window_catch_[slot] = {};
+    window_catch_[slot] = {WindowCatch{t}, WindowCatch{t}};
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
@@ -102,8 +98,8 @@ class ClassifyFate {
       if (!verdict.attractor && rule_.continuum.regions && rule_.continuum.regions->ask(z, 0.0, own(slot)).attractor)
         verdict.attractor = balanced_id;
       if constexpr (angle_known)
-        if (rule_.section_regions)
-          verdict.attractor = rule_.section_regions->ask(z, angle(slot, t, z), own(slot)).attractor;
+        if (rule_.section.regions)
+          verdict.attractor = rule_.section.regions->ask(z, angle(slot, t, z), own(slot)).attractor;
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
         fate.outcome = Outcome::attracted;
@@ -156,6 +152,11 @@ class ClassifyFate {
     bool runs_away = false;  // a driven rotor that is given up
   };
 
+  struct WindowCatch {
+    double asked_from = 0.0;      // not before
+    int attractor = 0, left = 0;  // half windows that are still watched
+  };
+
   // Lanes inside a trapping region. Cheap tests of bounds spare most of them the quadratic forms.
   HWY_INLINE unsigned caught_by_regions(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
     unsigned caught = 0;
@@ -185,13 +186,13 @@ class ClassifyFate {
 
   // All plain balanced states have the same centre.
   HWY_INLINE Pack away(int g, std::size_t k, int i, const Pack* z) {
-    if constexpr (smooth) return absolute(z[i] - (task_.own ? places_[g][k][i] : Pack(centres_[k][i])));
+    if constexpr (smooth) return absolute(z[i] - (task_.own ? places_[g][k][i] : Pack(rule_.balanced[k].place[i])));
     return absolute(z[i]);
   }
 
   HWY_NOINLINE Pack balanced_value(int g, std::size_t k, const Pack* z) {
     if (task_.own) return balanced_region_value(places_[g][k], factors_[g][k], n, size(), z);
-    return balanced_region_value(centres_[k].data(), rule_.balanced[k].factor.data(), n, size(), z);
+    return balanced_region_value(rule_.balanced[k].place.data(), rule_.balanced[k].factor.data(), n, size(), z);
   }
 
   // How near to balance each lane has come.
@@ -254,13 +255,8 @@ class ClassifyFate {
         }
       WindowConclusion verdict = trackers_[g * lanes + lane].add(sums);
       DecidedBy by = DecidedBy::windows;
-      if constexpr (angle_known)
-        if (const int attractor = caught_on_section(g * lanes + lane, now, z)) {
-          verdict = {true, attractor};
-          by = DecidedBy::validated;
-        }
-      if (rule_.windowed.regions && !rule_.at_horizon)
-        if (const int attractor = kept_by_windowed(g * lanes + lane, sums, now, z, verdict.decided)) {
+      for (int which = angle_known ? 0 : 1; which < 2 && !rule_.at_horizon; ++which)
+        if (const int attractor = kept_by_regions(which, g * lanes + lane, sums, now, z, verdict.decided)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
@@ -273,8 +269,7 @@ class ClassifyFate {
     return decided;
   }
 
-  bool within_bounds(const WindowSums& sums) const {
-    const WindowRegions& regions = rule_.windowed;
+  bool within_bounds(const WindowRegions& regions, const WindowSums& sums) const {
     bool like = sums.r2_min > regions.r2_low && sums.r2_max < regions.r2_high;
     for (int i = 0; i < n; ++i) like = like && sums.q_min[i] > regions.q_low && sums.q_max[i] < regions.q_high;
     return like;
@@ -282,27 +277,23 @@ class ClassifyFate {
 
   // The trapping region that has caught a lane, once nothing more is to be learnt from the lane; `over`: its windows
   // decide now.
-  int kept_by_windowed(int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
-    WindowCatch& caught = window_catch_[slot];
-    if (caught.attractor == 0 && within_bounds(sums))
-      caught = {caught_by_windowed(slot, now, z), rule_.blind ? rule_.windowed.watched : 0};
+  int kept_by_regions(int which, int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
+    const WindowRegions& regions = which == 0 ? rule_.section : rule_.windowed;
+    if (!regions.regions) return 0;
+    WindowCatch& caught = window_catch_[slot][which];
+    if (caught.attractor == 0 && within_bounds(regions, sums)) {
+      if (now >= caught.asked_from) ask(regions, slot, now, z, caught);
+      caught.left = rule_.blind ? regions.watched : 0;
+    }
     return over || caught.left-- <= 0 ? caught.attractor : 0;
   }
 
-  int caught_by_windowed(int slot, double now, const Pack* z) {
-    if (now < windowed_asked_from_[slot]) return 0;
+  void ask(const WindowRegions& regions, int slot, double now, const Pack* z, WindowCatch& caught) const {
     double state[dimension];
     for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
-    const Caught answer = rule_.windowed.regions->ask(state, 0.0, own(slot));
-    windowed_asked_from_[slot] = now + std::max(answer.wait, rule_.windowed.rest * trackers_[slot].elapsed());
-    return answer.attractor;
-  }
-
-  int caught_on_section(int slot, double now, const Pack* z) const {
-    if (!rule_.section_regions || rule_.at_horizon) return 0;
-    double state[dimension];
-    for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
-    return rule_.section_regions->ask(state, angle(slot, now, state), own(slot)).attractor;
+    const Caught answer = regions.regions->ask(state, angle(slot, now, state), own(slot));
+    caught.attractor = answer.attractor;
+    caught.asked_from = now + std::max(answer.wait, regions.rest * trackers_[slot].elapsed());
   }
 
   const model::BallCount<room> n;
@@ -316,15 +307,11 @@ class ClassifyFate {
   // Of each lane's rotor.
   static constexpr std::size_t most_states = tilts ? most_balanced_of_tilt : most_balanced;
   Pack places_[groups][most_states][dimension], factors_[groups][most_states][dimension * dimension];
-  std::vector<std::array<double, max_dimension>> centres_;  // of the task's rotor: centres of balanced trapping regions
   std::size_t start_[groups * lanes] = {};
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
-  std::vector<double> continuum_reach_, windowed_asked_from_;
-  struct WindowCatch {
-    int attractor = 0, left = 0;  // half windows that are still watched
-  };
-  std::vector<WindowCatch> window_catch_;
+  std::vector<double> continuum_reach_;
+  std::vector<std::array<WindowCatch, 2>> window_catch_;  // by ClassificationRule::section, by windowed
 };
 
 }  // namespace HWY_NAMESPACE

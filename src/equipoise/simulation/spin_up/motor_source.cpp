@@ -239,7 +239,7 @@ class MotorSource final : public SpinUp {
     if (!one.drive.release_speed || k + 1 < one.systems.size())
       rule.windows.first_long_window = std::numeric_limits<double>::infinity();
     else if (!fleet.own)  // the trapping region knows only one release speed
-      rule.windows.section_regions = regions_by(
+      rule.windows.section.regions = regions_by(
           [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
             return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
           });
