@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -17,7 +18,6 @@
 #include "../support/studies.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/balanced_regions/critical_level.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/core/math/lyapunov.hpp"

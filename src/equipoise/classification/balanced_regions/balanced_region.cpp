@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
-#include "equipoise/classification/balanced_regions/critical_level.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/core/math/lyapunov.hpp"

@@ -1,5 +1,5 @@
 // Searches for the level at which a Lyapunov function first fails to decrease.
-#include "equipoise/classification/balanced_regions/critical_level.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
 
 #include <algorithm>
 #include <array>

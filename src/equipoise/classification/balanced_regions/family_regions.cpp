@@ -9,7 +9,6 @@
 
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/balanced_regions/critical_level.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/core/math/lyapunov.hpp"

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/classification/balanced_regions/critical_level.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
