@@ -121,9 +121,9 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
 }
 
 using Angles = std::array<double, model::max_balls>;
-using Place = std::array<double, max_dimension>;
+using State = std::array<double, max_dimension>;
 
-BalancedRegion make_region(const Place& place, const Eigen::MatrixXd& form, double level) {
+BalancedRegion make_region(const State& place, const Eigen::MatrixXd& form, double level) {
   BalancedRegion region;
   region.place = place;
   region.level = level;
@@ -157,7 +157,7 @@ BalancedRegion isolated_region(const model::System& system, const Angles& phi, d
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
   const Eigen::MatrixXd& form = use_modal ? modal : plain;
   const double level = use_modal ? modal_level : plain_level;
-  Place place{};
+  State place{};
   std::copy(state.begin(), state.end(), place.begin());
   std::copy_n(phi.begin(), system.balls(), place.begin() + model::index::phi(0));
   return make_region(place, form, level_margin * level);
@@ -181,7 +181,7 @@ model::System reflected(const model::System& system) {
 
 BalancedRegion reflected(const model::System& system, const BalancedRegion& region) {
   Eigen::VectorXd sign(system.dimension());
-  Place place = region.place;
+  State place = region.place;
   for (int i = 0; i < system.dimension(); ++i) {
     sign[i] = mirror_sign(system, i);
     place[i] *= sign[i];
@@ -194,7 +194,7 @@ BalancedRegion reflected(const model::System& system, const BalancedRegion& regi
 BalancedRegion exchanged(const BalancedRegion& region) {
   const Eigen::MatrixXd form = form_of(region);
   const Eigen::VectorXi from = exchanged_components(2, {1, 0}, form.rows());
-  Place place = region.place;
+  State place = region.place;
   std::swap(place[model::index::phi(0)], place[model::index::phi(1)]);
   return make_region(place, form(from, from), region.level);
 }
