@@ -8,7 +8,7 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
-#include "equipoise/analyses/mapper/mapped_search.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"

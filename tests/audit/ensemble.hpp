@@ -8,7 +8,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 
 namespace equipoise::audit {
 

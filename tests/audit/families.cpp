@@ -15,7 +15,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/classification/rotor_family/horizon.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "late_motion.hpp"
 #include "machines.hpp"
 
@@ -32,18 +32,18 @@ using Shares = std::map<std::string, double>;
 // Decides starts of one rotor, known exactly, as basin() does.
 class KnownRotor {
  public:
-  explicit KnownRotor(const Study& study) : runner_(study, {}) {}
+  explicit KnownRotor(const Study& study) : session_(study, {}), catalogue_(session_) {}
 
   std::string kind(const InitialState& start) {
     Decided decided;
-    runner_.run_from({&start, 1}, decided);
+    session_.decide({&start, 1}, decided);
     return settled(decided).front();
   }
 
   // Shares of starts that no other rotor is asked about.
   Shares shares(std::uint64_t rotor) {
     Decided decided;
-    runner_.run(rotor * starts_of_rotor, starts_of_rotor, decided);
+    session_.decide(rotor * starts_of_rotor, starts_of_rotor, decided);
     Shares shares;
     for (const std::string& kind : settled(decided)) shares[kind] += 1.0 / starts_of_rotor;
     return shares;
@@ -64,16 +64,17 @@ class KnownRotor {
 
  private:
   std::vector<std::string> settled(Decided& decided) {
-    runner_.settle(decided);
+    catalogue_.settle(decided);
     std::vector<std::string> kinds;
     for (const Fate& fate : decided.fates) {
-      const Attractor* a = fate.outcome == Outcome::attracted ? runner_.catalogue().find(fate.attractor) : nullptr;
+      const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
       kinds.push_back(a ? kind_of_name(a->name) : name_of(fate.outcome));
     }
     return kinds;
   }
 
-  StartRunner runner_;
+  const Session session_;
+  RunCatalogue catalogue_;
 };
 
 // A kind's share over all values, and the mean over rotors, both with their errors.

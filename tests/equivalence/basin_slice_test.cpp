@@ -248,7 +248,7 @@ struct Lines {
 
   const BasinSlice map;
   const StudyFamily family;
-  const StartRunner runner;
+  const Session runner;
 };
 
 // Balls captured in different ways are missed by a mesh of so few starts.

@@ -13,7 +13,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 
@@ -51,13 +51,13 @@ void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
 class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, HoweverTheStartsAreCut) {
-  const StartRunner runner(paper_row(GetParam(), 600), {.threads = 2});
+  const Session runner(paper_row(GetParam(), 600), {.threads = 2});
   Decided whole, part;
   std::vector<Fate> joined;
-  ASSERT_TRUE(runner.run(0, 600, whole));
+  ASSERT_TRUE(runner.decide(0, 600, whole));
   std::uint64_t first = 0;
   for (std::size_t size : {1, 2, 5, 23, 24, 25, 120, 400}) {
-    ASSERT_TRUE(runner.run(first, size, part));
+    ASSERT_TRUE(runner.decide(first, size, part));
     joined.insert(joined.end(), part.fates.begin(), part.fates.end());
     first += size;
   }

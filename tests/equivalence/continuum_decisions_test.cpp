@@ -11,7 +11,7 @@
 #include "equipoise/attractors/equilibria/nearest_balanced.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/classification/trapping_regions/continuum_region.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
@@ -27,10 +27,10 @@ Study rotor(int balls) {
 }
 
 std::vector<Fate> fates_of(const Study& study, std::size_t count) {
-  StartRunner runner(study, {.threads = 2});
+  Session runner(study, {.threads = 2});
   Decided decided;
-  EXPECT_TRUE(runner.run(0, count, decided));
-  runner.settle(decided);
+  EXPECT_TRUE(runner.decide(0, count, decided));
+  RunCatalogue(runner).settle(decided);
   return decided.fates;
 }
 
@@ -117,7 +117,7 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
 // bits, and from the states in which they were caught they come to rest on the axis until `end`. The integration here
 // is so accurate that only rounding is left of deviations that began at up to a radian.
 int come_to_rest(const Study& study, std::size_t count, double end) {
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   const StartSource source(study, nullptr);
   SpunUp starts;
   EXPECT_TRUE(source.make(study.sampling.seed, 0, count, starts));

@@ -11,7 +11,7 @@
 
 #include "../support/parameters.hpp"
 #include "../support/sizes.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 
@@ -43,9 +43,9 @@ struct Verdicts {
 
 // Compares early fates with the very same trajectories at `end`, from the deciding kernel without decisions.
 Verdicts compare(const Study& study, std::size_t count, double end) {
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   Decided decided;
-  EXPECT_TRUE(runner.run(0, count, decided));
+  EXPECT_TRUE(runner.decide(0, count, decided));
   const std::vector<Fate>& early = decided.fates;
   SpunUp starts;
   EXPECT_TRUE(StartSource(study, nullptr).make(study.sampling.seed, 0, count, starts));
@@ -156,9 +156,9 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
     study.parameters.eccentricity = 0.0083;
     study.parameters.damping = {0.883, 0.883};
     study.parameters.mass = {0.00434, 0.00434};
-    const StartRunner runner(study, {.threads = 2});
+    const Session runner(study, {.threads = 2});
     Decided decided;
-    EXPECT_TRUE(runner.run(0, count, decided));
+    EXPECT_TRUE(runner.decide(0, count, decided));
     double sum = 0.0;
     for (const Fate& fate : decided.fates) sum += fate.time;
     return sum / count;

@@ -26,7 +26,7 @@ Ended ended(const Study& study, bool few_starts, int threads = 2) {
   options.threads = threads;
   options.transients = options.keep_starts = true;
   options.without_balls = false;
-  options.few_starts = few_starts;
+  if (few_starts) options.search = SearchMode::few;
   Ended all;
   options.fate = [&](const Fate& fate) { all.fates.push_back(fate); };
   Catalogue catalogue;

@@ -12,7 +12,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
@@ -55,10 +55,10 @@ TEST(FullState, ABoxWithoutExtentIsNoBox) {
 
 TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
   const Study study = boxed(1);
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   constexpr std::size_t count = 40;
   Decided decided;
-  ASSERT_TRUE(runner.run(0, count, decided));
+  ASSERT_TRUE(runner.decide(0, count, decided));
   ASSERT_TRUE(decided.unlisted.empty());
   for (std::size_t i = 0; i < count; ++i) {
     Eigen::VectorXd state(model::dimension(2));

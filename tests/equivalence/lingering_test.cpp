@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 
@@ -49,14 +49,14 @@ seed = 26
 )";
 
 // The attractor that start `index` is decided for; 0 if it is to be followed further.
-int told(const StartRunner& runner, std::uint64_t index) {
+int told(const Session& runner, std::uint64_t index) {
   Decided decided;
-  EXPECT_TRUE(runner.run(index, 1, decided));
+  EXPECT_TRUE(runner.decide(index, 1, decided));
   return decided.fates[0].attractor;
 }
 
 // The attractor of the very same trajectory at `end`, without earlier decisions.
-int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index, double end) {
+int comes_to(const Study& study, const Session& runner, std::uint64_t index, double end) {
   const StartSource source(study, nullptr);
   SpunUp starts;
   EXPECT_TRUE(source.make(study.sampling.seed, index, 1, starts));
@@ -75,7 +75,7 @@ int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index,
 
 // A motion must show the features by which it is recognised. A trajectory seemed stationary by features where it had
 // not arrived yet.
-void expect_own_features(const StartRunner& runner) {
+void expect_own_features(const Session& runner) {
   for (const KnownFeatures& known : runner.rule().known) {
     const Attractor* a = runner.catalogue().find(known.attractor);
     ASSERT_TRUE(a);
@@ -95,7 +95,7 @@ void expect_own_features(const StartRunner& runner) {
 
 TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
   const Study study = parse_study(wandering, "wandering");
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   expect_own_features(runner);
   // At t = 5788 it seemed to have come to the orbit, and left by t = 12 000.
   constexpr std::uint64_t start = 1342;
@@ -107,7 +107,7 @@ TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
 
 TEST(Lingering, AShortStayNearARareMotionDecidesNothing) {
   const Study study = parse_study(swinging, "swinging");
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   expect_own_features(runner);
   // By t = 147 it had stayed near the swing for five windows; in the end it co-drifts.
   constexpr std::uint64_t start = 115;

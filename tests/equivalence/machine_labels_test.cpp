@@ -12,7 +12,7 @@
 #include "../support/sizes.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"

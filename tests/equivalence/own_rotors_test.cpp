@@ -119,6 +119,37 @@ TEST_P(OwnRotors, GiveTheSameBitsAlone) {
 INSTANTIATE_TEST_SUITE_P(AllSystems, OwnRotors, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
+// Gravity holds each rotor below the speed that releases its balls. What a start comes to must not depend on which
+// starts happen to be followed with it.
+TEST(OwnRotorsThatHang, ComeToTheSameAlone) {
+  std::vector<OwnRotorStart> own;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    Study study = parse_study(
+        "[rotor]\ndamping = 0.4\ninertia = 4.0\ngravity = 0.2\n"
+        "[balancer]\nballs = 2\nmass = 0.01\ndrag = 0.2\n"
+        "[speed]\nprofile = \"torque\"\ntorque = { stall = 0.012, no_load_speed = 2.4 }\n"
+        "[release]\nspeed = 1.0\n[numerics]\nhorizon = 2000\n",
+        "study", {"rotor.eccentricity=" + std::to_string(0.1 + 0.002 * static_cast<double>(i))});
+    InitialState start = start_of(study, study.sampling.seed, i);
+    start.y = -0.2;  // sagged
+    own.push_back({std::move(study), start});
+  }
+  SpunUp together, alone;
+  ASSERT_TRUE(spin_up_own_rotors(own, nullptr, together));
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    ASSERT_TRUE(spin_up_own_rotors({&own[i], 1}, nullptr, alone));
+    EXPECT_TRUE(together.is_over(i)) << i;
+    EXPECT_TRUE(alone.is_over(0)) << i;
+    const Fate &one = alone.fates[0], &of_many = together.fates[i];
+    EXPECT_EQ(one.outcome, of_many.outcome) << i;
+    EXPECT_EQ(one.by, of_many.by) << i;
+    EXPECT_EQ(one.time, of_many.time) << i;
+    EXPECT_EQ(one.mean_speed, of_many.mean_speed) << i;
+    const std::size_t size = alone.states.size();
+    for (std::size_t k = 0; k < size; ++k) EXPECT_EQ(alone.states[k], together.states[i * size + k]) << i << " " << k;
+  }
+}
+
 const std::string drawing =
     "[rotor]\neccentricity = { uniform = [0.006, 0.014] }\ndamping = { uniform = [0.4, 0.6] }\n"
     "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"

@@ -14,7 +14,7 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/rotor_family/drawn_source.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 
 namespace equipoise {
 namespace path_region_test {
@@ -86,10 +86,10 @@ INSTANTIATE_TEST_SUITE_P(PathRegion, OfOneRotor, testing::Values("locked", "both
 
 TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
   const Study study = study_with_eccentricity(0.11);
-  const StartRunner runner(study, {.threads = 2});
+  const Session runner(study, {.threads = 2});
   Decided decided;
   constexpr std::size_t count = 80;
-  ASSERT_TRUE(runner.run(0, count, decided));
+  ASSERT_TRUE(runner.decide(0, count, decided));
   int caught = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Attractor* a = runner.catalogue().find(decided.fates[i].attractor);

@@ -11,7 +11,7 @@
 #include "../support/sizes.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
@@ -37,10 +37,10 @@ Study paper_rotor(double gravity, std::array<double, 2> stiffness) {
   return study;
 }
 
-std::vector<Fate> fates_of(StartRunner& runner, std::size_t count) {
+std::vector<Fate> fates_of(const Session& runner, RunCatalogue& catalogue, std::size_t count) {
   Decided decided;
-  EXPECT_TRUE(runner.run(0, count, decided));
-  runner.settle(decided);
+  EXPECT_TRUE(runner.decide(0, count, decided));
+  catalogue.settle(decided);
   return decided.fates;
 }
 
@@ -112,13 +112,14 @@ TEST(Stroboscopic, OrbitsCloseUnderSimulate) {
 
 TEST(Stroboscopic, WeakGravityAndAnisotropyChangeNextToNothing) {
   constexpr std::size_t count = 500;
-  StartRunner plain(paper_rotor(0.0, {1.0, 1.0}), {.threads = 2}),
+  Session plain(paper_rotor(0.0, {1.0, 1.0}), {.threads = 2}),
       weak(paper_rotor(1e-6, {1.0, 1.0 + 1e-6}), {.threads = 2});
-  const auto before = fates_of(plain, count), after = fates_of(weak, count);
+  RunCatalogue of_plain(plain), of_weak(weak);
+  const auto before = fates_of(plain, of_plain, count), after = fates_of(weak, of_weak, count);
   std::size_t other = 0, undecided = 0;
   for (std::size_t i = 0; i < count; ++i) {
     undecided += after[i].attractor == 0;
-    other += plain_name(plain.catalogue(), before[i]) != plain_name(weak.catalogue(), after[i]);
+    other += plain_name(of_plain, before[i]) != plain_name(of_weak, after[i]);
   }
   EXPECT_EQ(undecided, 0u);
   // Starts may differ only within about 1e-6 of a boundary, or if a chaotic transient is so long that rounding decides.
@@ -141,12 +142,13 @@ TEST(Stroboscopic, ADriftingMotionIsModulatedByGravity) {
 TEST(Stroboscopic, DecisionsHoldMuchLater) {
   for (const Study& study : {paper_rotor(0.01, {1.0, 1.0}), paper_rotor(0.0, {1.0, 1.3})}) {
     constexpr std::size_t count = 128;
-    StartRunner runner(study, {.threads = 2});
+    Session runner(study, {.threads = 2});
     const Attractor* balanced = runner.catalogue().find(balanced_id);
     ASSERT_TRUE(balanced);
     EXPECT_TRUE(balanced->motion.stable);
     EXPECT_EQ(balanced->motion.kind, study.parameters.gravity == 0.0 ? MotionKind::equilibrium : MotionKind::periodic);
-    const auto early = fates_of(runner, count);
+    RunCatalogue catalogue(runner);
+    const auto early = fates_of(runner, catalogue, count);
     StartSource source(study, nullptr);
     SpunUp starts;
     ASSERT_TRUE(source.make(study.sampling.seed, 0, count, starts));
@@ -203,7 +205,7 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
       EXPECT_EQ(one[i].time, shared[i].time) << i;
       EXPECT_EQ(one[i].by, shared[i].by) << i;
     }
-    EXPECT_GE(decided, one.size() * 9 / 10);         // bits of undecided starts show nothing about decisions
+    EXPECT_GE(decided, one.size() * 9 / 10);     // bits of undecided starts show nothing about decisions
     const std::uint64_t index = sized(311, 31);  // in the middle: each single start costs another search
     const StartReplay alone = replay_start(study, index);
     EXPECT_EQ(alone.fate.attractor, one[index].attractor);

@@ -12,7 +12,7 @@
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "tilt_fixed_flow.hpp"
 
@@ -34,13 +34,14 @@ std::optional<Motion> motion_of(const Study& known) {
 void expect_fates_of_known_rotors(const std::vector<std::string>& keys, const std::vector<std::string>& outcomes) {
   constexpr std::size_t starts = 24;
   const Study study = with_horizon(long_rotor_with(keys));
-  StartRunner runner(study, {});
+  Session runner(study, {});
   Decided decided;
-  ASSERT_TRUE(runner.run(0, starts, decided));
-  runner.settle(decided);
+  ASSERT_TRUE(runner.decide(0, starts, decided));
+  RunCatalogue catalogue(runner);
+  catalogue.settle(decided);
   std::vector<int> met(outcomes.size());
   for (std::size_t k = 0; k < starts; ++k) {
-    const Attractor* a = runner.catalogue().find(decided.fates[k].attractor);
+    const Attractor* a = catalogue.find(decided.fates[k].attractor);
     ASSERT_TRUE(a) << k;
     Study known = runner.family()->at(runner.family()->values_at(runner.fractions_of(k)));
     std::copy_n(&decided.phi[4 * k], 4, known.initial.phi.begin());

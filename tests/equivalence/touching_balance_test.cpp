@@ -9,7 +9,7 @@
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
@@ -99,10 +99,10 @@ TEST(TouchingBalance, MembersAreDrawnWithRoom) {
 TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
   Study study = crowded_rotor(0.766 * most);
   constexpr std::size_t count = 16;
-  StartRunner runner(study, {2, nullptr, {}});
+  Session runner(study, {2, nullptr, {}});
   EXPECT_EQ(runner.balance().note, "");
   Decided decided;
-  ASSERT_TRUE(runner.run(0, count, decided));
+  ASSERT_TRUE(runner.decide(0, count, decided));
   EXPECT_TRUE(decided.unlisted.empty());
   for (const Fate& fate : decided.fates) {
     EXPECT_EQ(fate.outcome, Outcome::attracted);

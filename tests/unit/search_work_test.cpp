@@ -16,7 +16,7 @@ namespace search_work_test {
 struct Search {
   Search(const model::Parameters& p, double speed, bool few_starts = false) {
     AttractorSearchSettings settings{.threads = 2};
-    settings.few_starts = few_starts;
+    if (few_starts) settings.mode = SearchMode::few;
     settings.progress = [this](const Progress& at) {
       const std::string stage = at.what.substr(at.what.find(": ") + 2);
       if (stage != last_) totals[last_] += now_;
@@ -85,7 +85,7 @@ TEST(SearchWork, FewStartsHaveFewScoutsAndRegionsOfBalanceAlone) {
   EXPECT_FALSE(full.found.rule.cycles.empty());
   EXPECT_NE(full.found.rule.windowed.regions, nullptr);
   EXPECT_FALSE(few.found.rule.known.empty());
-  EXPECT_NE(search_key("", {.few_starts = true}), search_key("", {}));
+  EXPECT_NE(search_key("", {.mode = SearchMode::few}), search_key("", {}));
 }
 
 }  // namespace search_work_test

@@ -8,7 +8,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -55,7 +55,7 @@ TEST_F(StoppedFollowing, ListsNoStart) {
   Study study = study_;
   study.numerics.horizon = 3000.0;
   StopFlag stop{false};
-  const StartRunner runner(study, {.stop = &stop});
+  const Session runner(study, {.stop = &stop});
   const std::vector<double> state(motion_->state.begin(), motion_->state.end());
   const auto followed = runner.follow(state);
   ASSERT_TRUE(followed.has_value());

@@ -158,7 +158,8 @@ Json try_change(const Json& args, Bulk& bulk) {
   const std::vector<Change> changes = usual_changes(study_of(args.at(0)));
   const auto k = args.at(1).get<std::size_t>();
   EnsembleOptions options;
-  options.transients = options.few_starts = true;
+  options.transients = true;
+  options.search = SearchMode::few;
   options.progress = tell;
   Ensemble ensemble(changes.at(k).study, options);
   const Study& study = ensemble.study();

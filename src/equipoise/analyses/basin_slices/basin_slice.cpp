@@ -2,7 +2,6 @@
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +24,7 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
@@ -103,8 +102,7 @@ class MapRun {
   }
 
   BasinSlice run() {
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_seconds();
+    const RunClock clock;
     check(map_);
     check_memory(map_, settings_.output);
     prepare();
@@ -115,8 +113,7 @@ class MapRun {
       compute();
       put_together();
     }
-    map_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    map_.cpu_seconds = cpu_seconds() - cpu_begin;
+    map_.took(clock.time());
     return std::move(map_);
   }
 

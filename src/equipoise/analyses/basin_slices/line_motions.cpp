@@ -32,10 +32,10 @@ std::size_t probes_of(std::size_t length) { return std::min(most_probes, length 
 
 bool LineMotions::pays(int pixels) { return probes_of(static_cast<std::size_t>(pixels)) >= fewest_probes; }
 
-LineMotions::LineMotions(const BasinSlice& map, bool columns, const StartRunner& runner, SearchLog* notes)
+LineMotions::LineMotions(const BasinSlice& map, bool columns, const Session& session, SearchLog* notes)
     : map_(map),
       columns_(columns),
-      runner_(runner),
+      session_(session),
       lines_(static_cast<std::size_t>(columns ? map.x.pixels : map.y.pixels)),
       length_(static_cast<std::size_t>(columns ? map.y.pixels : map.x.pixels)),
       probes_(probes_of(length_)),
@@ -105,7 +105,7 @@ std::vector<MetMotions> LineMotions::look(std::size_t group, const StartAt& star
     }
   }
   std::vector<MetMotions> met(count);
-  if (!runner_.meet(std::move(starts), rotor, met)) met.clear();
+  if (!session_.meet(std::move(starts), rotor, met)) met.clear();
   return met;
 }
 

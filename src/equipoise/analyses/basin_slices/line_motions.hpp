@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
@@ -22,8 +22,8 @@ class LineMotions {
 
   /// Whether lines of this many pixels are long enough.
   static bool pays(int pixels);
-  /// `columns`: the lines are columns, else rows, and long enough. `runner` must outlive this; `notes` may be null.
-  LineMotions(const BasinSlice& map, bool columns, const StartRunner& runner, SearchLog* notes);
+  /// `columns`: the lines are columns, else rows, and long enough. `session` must outlive this; `notes` may be null.
+  LineMotions(const BasinSlice& map, bool columns, const Session& session, SearchLog* notes);
 
   /// Probes the lines of these pixels, unless that is done. False if stopped.
   bool look_along(const std::vector<std::uint32_t>& positions, const StartAt& start, const RunOptions& options);
@@ -38,7 +38,7 @@ class LineMotions {
 
   const BasinSlice& map_;
   const bool columns_;
-  const StartRunner& runner_;
+  const Session& session_;
   const std::size_t lines_, length_, probes_;
   NotePage page_;
   std::uint64_t first_note_;

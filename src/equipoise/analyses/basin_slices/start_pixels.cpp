@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -90,13 +89,13 @@ std::optional<bool> lines_are_columns(const BasinSlice& map) {
   return !start_along_x;
 }
 
-std::unique_ptr<StartRunner> runner_of(const BasinSlice& map, const RunOptions& options, SearchLog* notes) {
+Session session_of(const BasinSlice& map, const RunOptions& options, SearchLog* notes) {
   const AttractorSearchSettings settings{
       .threads = map.threads, .stop = options.stop, .progress = options.progress, .notes = notes};
-  if (maps_starts(map)) return std::make_unique<StartRunner>(map.study, settings);
+  if (maps_starts(map)) return {map.study, settings};
   FamilyStarts starts{static_cast<double>(map.x.pixels) * map.y.pixels};
   if (const auto columns = lines_are_columns(map)) starts.rotors = *columns ? map.x.pixels : map.y.pixels;
-  return std::make_unique<StartRunner>(map.study, family_of(map), starts, settings);
+  return {map.study, family_of(map), starts, settings};
 }
 
 }  // namespace
@@ -110,32 +109,29 @@ Study study_at(const BasinSlice& map, int column, int row) {
 
 StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
                          const Discovered& discovered, SearchLog* notes)
-    : map_(map), options_(options), discovered_(discovered), runner_(runner_of(map, options, notes)) {
-  if (runner_->stopped()) return;
-  if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, *runner_, notes);
-  for (const Attractor& a : runner_->catalogue().attractors()) listed_.insert(a.id);
+    : map_(map),
+      options_(options),
+      discovered_(discovered),
+      session_(session_of(map, options, notes)),
+      catalogue_(session_) {
+  if (session_.stopped()) return;
+  if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, session_, notes);
+  for (const Attractor& a : catalogue_.attractors()) listed_.insert(a.id);
   for (const std::vector<double>& state : of_family() ? std::vector<std::vector<double>>{} : met) {
-    const std::optional<UnlistedStart> start = runner_->follow(state);
+    const std::optional<UnlistedStart> start = session_.follow(state);
     unread_ = !start;
     if (unread_) return;
-    listed_.insert(runner_->list(*start));
+    listed_.insert(catalogue_.list(*start));
   }
 }
 
 bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
-  if (unread_ || runner_->stopped()) return false;
+  if (unread_ || session_.stopped()) return false;
   const auto start_at = [&](std::uint32_t position) { return family_start(position); };
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
   const ChunkWork work{
       .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
-  const std::atomic<bool> finished{false};
-  std::atomic<bool> lost{false};
-  bool whole = true;  // all chunks so far
-  compute_chunks(work, 0, positions.size(), finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
-    whole = whole && chunk->complete;
-    if (whole) hand_on(positions, *chunk, take);
-  });
-  return whole && !lost;
+  return take_chunks(work, positions.size(), [&](Chunk& chunk) { hand_on(positions, chunk, take); });
 }
 
 InitialState StartPixels::start(std::uint32_t position) const {
@@ -159,7 +155,7 @@ FamilyStart StartPixels::family_start(std::uint32_t position) const {
     values.push_back(value);
     result.fractions.push_back((value - axis->low) / (axis->high - axis->low));
   }
-  Study& study = result.own.study = runner_->family()->at(values);
+  Study& study = result.own.study = session_.family()->at(values);
   for (const auto& [axis, value] : axes)
     if (is_start(map_.study, axis->key)) *initial_value(study.initial, study.parameters.balls, axis->key) = value;
   place_start(map_, column, row, study);
@@ -175,18 +171,18 @@ bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chu
       starts.push_back(family_start(position));
       if (lines_) starts.back().met = &lines_->at(position);
     }
-    return runner_->run_family(std::move(starts), chunk);
+    return session_.decide(std::move(starts), chunk);
   }
   std::vector<InitialState> starts;
   for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(start(positions[chunk.first + i]));
-  return runner_->run_from(starts, chunk);
+  return session_.decide(starts, chunk);
 }
 
 // Passes pixels on in order.
 void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take) {
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
-    const int id = runner_->settle(u, chunk.fates[u.place]);
+    const int id = catalogue_.settle(u, chunk.fates[u.place]);
     if (id > 0 && listed_.insert(id).second && !of_family()) discovered_(u.state);
     if (u.motion) followed[u.place] = u.motion->r_max;
   }
@@ -221,7 +217,7 @@ SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fa
   SlicePixel pixel;
   pixel.time = static_cast<float>(fate.time);
   pixel.code = code_of(fate);
-  const Attractor* a = fate.outcome == Outcome::attracted ? runner_->catalogue().find(fate.attractor) : nullptr;
+  const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
   if (!a) return pixel;
   auto& name = names_[a->id];
   if (!name) name = std::make_unique<MotionName>(MotionName{a->name, a->alias, a->id < first_free_id ? a->id : 0});

@@ -13,7 +13,7 @@
 #include "equipoise/analyses/basin_slices/line_motions.hpp"
 #include "equipoise/analyses/basin_slices/slice_pixel.hpp"
 #include "equipoise/analyses/ensembles/chunks.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 
@@ -44,7 +44,7 @@ class StartPixels {
   bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
 
  private:
-  bool of_family() const { return runner_->family() != nullptr; }
+  bool of_family() const { return session_.family() != nullptr; }
   InitialState start(std::uint32_t position) const;
   FamilyStart family_start(std::uint32_t position) const;
   bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
@@ -56,7 +56,8 @@ class StartPixels {
   const BasinSlice& map_;
   const RunOptions& options_;
   Discovered discovered_;
-  std::unique_ptr<StartRunner> runner_;
+  const Session session_;
+  RunCatalogue catalogue_;
   std::optional<LineMotions> lines_;                        // where lines have one rotor
   bool unread_ = false;                                     // stopped before all of `met` were listed
   std::set<int> listed_;                                    // attractors known beforehand, or already told

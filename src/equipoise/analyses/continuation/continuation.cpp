@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/analyses/continuation/branch_names.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
@@ -72,7 +72,7 @@ class Continuation {
   }
 
   BranchesResult run() {
-    const auto begin = std::chrono::steady_clock::now();
+    const RunClock clock;
     for (const double value : values_) systems_.push_back(line_.system_at(value));
     search();
     while (!follower_.stopped() && follow_new()) {
@@ -86,7 +86,7 @@ class Continuation {
     result_.starts = starts_;
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.took(clock.time());
     return std::move(result_);
   }
 

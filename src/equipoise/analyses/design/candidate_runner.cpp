@@ -52,7 +52,7 @@ CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions&
   run.threads = thread_count(options.threads);
   run.stop = options_.stop;
   run.transients = false;
-  run.brief_search = true;
+  run.search_serves = starts_of_a_first_look;
   Catalogue catalogue;
   basin(study, run, &catalogue, &warm_start_levels_);
   for (const Attractor& a : catalogue.attractors())
@@ -104,12 +104,14 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   run.without_balls = false;
   run.keep_starts = true;
   run.searches = &met.searches;
-  run.brief_search = !wanted.whole;
+  if (!wanted.whole) run.search_serves = starts_of_a_first_look;
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
   for (const std::vector<double>& state : warm_start_states_)
     if (state.size() == dimension) run.warm_start_states.push_back(state);
-  run.warm_start = !run.warm_start_states.empty();
-  if (run.warm_start) run.warm_start_levels = &warm_start_levels_;
+  if (!run.warm_start_states.empty()) {
+    run.search = SearchMode::warm;
+    run.warm_start_levels = &warm_start_levels_;
+  }
   const BasinResult result = basin(*study, run);
   if (result.partial) return std::nullopt;
   return sample_of(problem_.figures(), result, *study, wanted.settings);

@@ -2,7 +2,6 @@
 #include "equipoise/analyses/design/design.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/design/standing.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/cell_files/design_file.hpp"
@@ -59,8 +58,7 @@ class DesignRun {
   }
 
   DesignResult run() {
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_seconds();
+    const RunClock clock;
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
     if (file_) give_notice(options_, file_->loss());
@@ -77,8 +75,7 @@ class DesignRun {
       result_.limited_by = design_limits_reached(problem_, standing_, best);
       result_.best_study = to_toml(problem_.tree_of(best.changes()));
     }
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = cpu_seconds() - cpu_begin;
+    result_.took(clock.time());
     if (file_ && !result_.partial) file_->finish(result_);
     return std::move(result_);
   }

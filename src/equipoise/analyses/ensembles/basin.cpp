@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -26,9 +25,9 @@
 #include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/machine/model/system.hpp"
@@ -70,7 +69,7 @@ class BasinRun {
     result_.partial = !finished_;
     result_.grid = sampler_->grid();
     count_all();
-    const BalanceNote balance = runner_->balance();
+    const BalanceNote balance = session_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
     if (const std::optional<EscapeRate> chaos = tally_->chaos(catalogue())) note_chaos(result_, *chaos);
@@ -80,15 +79,13 @@ class BasinRun {
       result_.without_balls =
           without_balls({result_.study, *sampler_, std::max(result_.starts, file_ ? file_->stored() : 0),
                          options_.initial, threads_, options_.stop});
-    const RunTime time = time_so_far();
-    result_.seconds = time.seconds;
-    result_.cpu_seconds = time.cpu_seconds;
-    if (file_) finish_file(time);
+    result_.took(clock_.time());
+    if (file_) finish_file(result_);
     return result_;
   }
 
-  const Catalogue& catalogue() const { return runner_->catalogue(); }
-  WarmStartLevels warm_start_levels() const { return runner_->warm_start_levels(); }
+  const Catalogue& catalogue() const { return *catalogue_; }
+  WarmStartLevels warm_start_levels() const { return session_->warm_start_levels(); }
 
  private:
   InitialState start(std::uint64_t index) const {
@@ -98,21 +95,21 @@ class BasinRun {
   // How these starts go on at the end. The work is done only when the result is called.
   LookAt look_at_these(const std::vector<std::uint64_t>& indices) const {
     return [&] {
-      if (runner_->stopped() || is_set(options_.stop)) return std::vector<UndecidedEnd>{};
+      if (session_->stopped() || is_set(options_.stop)) return std::vector<UndecidedEnd>{};
       std::vector<InitialState> starts;
       for (const std::uint64_t index : indices) starts.push_back(start(index));
-      return runner_->look_at(starts);
+      return session_->look_at(starts);
     };
   }
 
   // Thread-safe.
   bool decide(Chunk& c) const {
-    if (!result_.own_starts) return runner_->run(c.first, c.count, c);
+    if (!result_.own_starts) return session_->decide(c.first, c.count, c);
     const std::span<const InitialState> given(&options_.initial[c.first], c.count);
     c.phi.clear();
     for (const InitialState& s : given)
       c.phi.insert(c.phi.end(), s.phi.begin(), s.phi.begin() + result_.study.parameters.balls);
-    return runner_->run_from(given, c);
+    return session_->decide(given, c);
   }
 
   void sample() {
@@ -126,20 +123,15 @@ class BasinRun {
       return;
     }
     open_file();
-    if (!runner_) make_runner();
+    if (!session_) begin_session();
     read_stored();
     for (auto& chunk : pilot_) commit(*chunk);
     pilot_.clear();
-    if (finished_ || unread_ || runner_->stopped()) return;
+    if (finished_ || unread_ || session_->stopped()) return;
     // Damage may have left gaps in the file.
     while (!finished_ && !lost_)
       compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_,
               [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
-  }
-
-  RunTime time_so_far() const {
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(),
-            cpu_seconds() - cpu_begin_};
   }
 
   void set_method(SamplingMethod method) {
@@ -152,18 +144,19 @@ class BasinRun {
           "sampling until a half-width needs \"random\" or \"sobol\": a grid is as large as `starts` says");
     sampler_.emplace(sampler_of(study));
     limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
-    runner_.reset();
+    session_.reset();
   }
 
-  void make_runner() {
+  void begin_session() {
     const Study& study = result_.study;
     AttractorSearchSettings search = search_settings(options_, &searches_);
     if (file_) search.notes = &file_->notes();
-    runner_ = std::make_unique<StartRunner>(study, search, gathers_);
-    tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    session_.emplace(study, search, gathers_);
+    catalogue_.emplace(*session_);
+    tally_.emplace(*sampler_, study.sampling.seed, session_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
-    for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
+    for (const Attractor& a : catalogue_->attractors()) filed_.insert(a.id);
   }
 
   // Pilot starts are the first of a Sobol sample, so none is wasted if the ensemble goes on with Sobol starts.
@@ -173,10 +166,10 @@ class BasinRun {
     const bool worth_it = choice.random_starts > static_cast<double>(pilot_starts);
     if (worth_it && (!options_.limit_given || result_.study.sampling.starts > pilot_starts)) {
       set_method(SamplingMethod::sobol);
-      make_runner();
+      begin_session();
       Tally tally = *tally_;
       compute(0, pilot_starts, [&](const std::shared_ptr<Chunk>& chunk) { try_chunk(chunk, tally); });
-      if (lost_ || runner_->stopped()) {
+      if (lost_ || session_->stopped()) {
         lost_ = true;
         return;
       }
@@ -191,7 +184,7 @@ class BasinRun {
   void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
     lost_ = lost_ || !chunk->complete;
     if (lost_) return;
-    runner_->settle(*chunk);
+    catalogue_->settle(*chunk);
     for (const Fate& fate : chunk->fates) tally.add(fate);
     pilot_.push_back(chunk);
     report(tally, 0);
@@ -206,7 +199,7 @@ class BasinRun {
   }
 
   void count_all() {
-    tally_->count(runner_->catalogue(), result_);
+    tally_->count(*catalogue_, result_);
     if (result_.study.speed.driven()) {
       // A grid's starts have unequal weights, so these shares leave them out.
       if (!result_.grid) {
@@ -216,7 +209,7 @@ class BasinRun {
     }
     if (result_.study.parameters.balls_collide() && !result_.grid)
       result_.met = open_share(met_, met_, tally_->total());
-    if (gathers_) result_.transients = transients_->result(runner_->catalogue());
+    if (gathers_) result_.transients = transients_->result(*catalogue_);
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // a better estimate than the pilot's
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
@@ -226,7 +219,7 @@ class BasinRun {
   void finish_file(const RunTime& time) {
     if (file_->complete() && file_->unfinished() == 0 && (finished_ || file_->stored() >= limit_))
       return file_->forget_notes();
-    if (unread_ || runner_->stopped()) return;  // the attractors that name the outcomes are not known yet
+    if (unread_ || session_->stopped()) return;  // the attractors that name the outcomes are not known yet
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
@@ -239,9 +232,9 @@ class BasinRun {
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
     BasinResult told;
     told.study = study;
-    whole.count(runner_->catalogue(), told);
+    whole.count(*catalogue_, told);
     BasinEnd end{to_toml(study), outcome_summary(told), finished_, time};
-    if (gathers_) end.all = figures.result(runner_->catalogue()).groups.front();
+    if (gathers_) end.all = figures.result(*catalogue_).groups.front();
     end.without_balls = result_.without_balls;
     file_->finish(end);
   }
@@ -250,18 +243,18 @@ class BasinRun {
   void read_stored() {
     if (file_)
       for (const std::vector<double>& state : file_->discoveries()) {
-        const std::optional<UnlistedStart> start = runner_->follow(state);
+        const std::optional<UnlistedStart> start = session_->follow(state);
         unread_ = !start;
         if (unread_) return;
-        filed_.insert(runner_->list(*start));
+        filed_.insert(catalogue_->list(*start));
         if (options_.keep_starts) result_.discoveries.push_back(state);
       }
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     take_stored();
-    if (stored > 0 && !finished_ && !runner_->stopped())
+    if (stored > 0 && !finished_ && !session_->stopped())
       check_stored(*file_, options_.output, stored, result_.cpu_target, [&](Chunk& chunk) {
         if (!decide(chunk)) return false;
-        runner_->settle(chunk);
+        catalogue_->settle(chunk);
         return true;
       });
   }
@@ -358,14 +351,14 @@ class BasinRun {
     if (file_)
       append_starts(
           *file_, result_.study, *sampler_, chunk, {begin, taken}, result_.own_starts,
-          [&](std::uint64_t index) { return start(index); }, time_so_far());
+          [&](std::uint64_t index) { return start(index); }, clock_.time());
     take_stored();
     report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 
   // Names the fate of a start whose motion the rule does not list. The motion decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
-    const int id = runner_->settle(start, fate);
+    const int id = catalogue_->settle(start, fate);
     if (id == 0 || !filed_.insert(id).second) return;
     if (file_) file_->append_attractor_search(start.state);
     if (options_.keep_starts) result_.discoveries.push_back(start.state);
@@ -373,8 +366,7 @@ class BasinRun {
 
   const BasinOptions& options_;
   bool gathers_;  // transients
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double cpu_begin_ = cpu_seconds();
+  const RunClock clock_;
   int threads_;
   AttractorSearchCache own_searches_;
   AttractorSearchCache& searches_;
@@ -382,7 +374,8 @@ class BasinRun {
   std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;
   std::optional<Sampler> sampler_;
-  std::unique_ptr<StartRunner> runner_;
+  std::optional<Session> session_;
+  std::optional<RunCatalogue> catalogue_;
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;

@@ -14,6 +14,7 @@
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 #include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -22,7 +23,6 @@ class Catalogue;
 class ChunkHelp;
 class SearchLog;
 struct AttractorSearchCache;
-struct WarmStartLevels;
 
 /// Progress counts stages of the attractor search (Progress::preparing), then decided starts, in order. The total is 0
 /// while sampling until a half-width is reached.
@@ -50,11 +50,10 @@ struct BasinOptions : RunOptions {
   std::vector<InitialState> initial;
   /// States near motions known from elsewhere (dimension(balls) numbers each): rare attractors that pilots miss.
   std::vector<std::vector<double>> warm_start_states;
-  bool warm_start = false;  ///< these states are all of a neighbouring study: a shorter search
-  const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of its trapping regions, or null
-  bool brief_search = false;  ///< for a first look: a smaller pilot where its starts are dear (AttractorSearchSettings)
-  bool few_starts = false;    ///< the search costs less than a hundred starts (AttractorSearchSettings)
-  int search_threads = 0;     ///< for the attractor search; 0: as `threads`
+  SearchMode search = SearchMode::full;                ///< warm: these states are all of a neighbouring study
+  double search_serves = many_starts;                  ///< starts (AttractorSearchSettings)
+  const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of the neighbour's trapping regions, or null
+  int search_threads = 0;                              ///< for the attractor search; 0: as `threads`
   ChunkHelp* help = nullptr;   ///< threads that help to decide starts (analyses/ensembles/chunks.hpp), or null
   SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive runs with the same final speed; results do

@@ -128,4 +128,15 @@ void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t li
   if (!finished && !queue.passed_all()) lost = true;
 }
 
+bool take_chunks(const ChunkWork& work, std::uint64_t count, const std::function<void(Chunk&)>& take) {
+  const std::atomic<bool> finished{false};
+  std::atomic<bool> lost{false};
+  bool whole = true;  // all chunks so far
+  compute_chunks(work, 0, count, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
+    whole = whole && chunk->complete;
+    if (whole) take(*chunk);
+  });
+  return whole && !lost;
+}
+
 }  // namespace equipoise

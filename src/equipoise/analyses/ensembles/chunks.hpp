@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "equipoise/analyses/ensembles/chunk_size.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
 
 namespace equipoise {
@@ -84,5 +84,9 @@ class ChunkQueue {
 /// `lost` if it ends before the limit without `finished`.
 void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
                     std::atomic<bool>& lost, const ChunkSink& sink);
+
+/// Decides starts 0 .. count - 1 and hands the chunks over in order. A stop ends that at the first one that is not
+/// complete. False if not all were handed over.
+bool take_chunks(const ChunkWork& work, std::uint64_t count, const std::function<void(Chunk&)>& take);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Runners for the starts of an ensemble.
+// Sessions for the starts of an ensemble.
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 
 #include <utility>
@@ -42,26 +42,25 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
           .warm_start_states = options.warm_start_states,
           .cache = searches,
           .progress = options.progress,
-          .warm_start = options.warm_start,
-          .brief = options.brief_search,
-          .few_starts = options.few_starts,
+          .mode = options.search,
+          .starts = options.search_serves,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
           .notes = options.notes};
 }
 
-std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
-                                            AttractorSearchCache& found, bool few_starts) {
-  const int threads = thread_count(options.threads);
-  const AttractorSearchSettings search{.threads = threads,
-                                       .stop = options.stop,
-                                       .cache = &found,
-                                       .progress = options.progress,
-                                       .few_starts = few_starts};
+Session lasting_session(const Study& study, const RunOptions& options, bool transients, AttractorSearchCache& found,
+                        SearchMode mode) {
+  AttractorSearchSettings search{.threads = thread_count(options.threads),
+                                 .stop = options.stop,
+                                 .cache = &found,
+                                 .progress = options.progress,
+                                 .mode = mode};
   const bool searches = study.uncertain.empty();
   if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
     throw RunError("stopped before the attractors were known");
-  return std::make_unique<StartRunner>(
-      study, AttractorSearchSettings{.threads = threads, .cache = &found, .few_starts = few_starts}, transients);
+  search.stop = nullptr;
+  search.progress = nullptr;
+  return {study, search, transients};
 }
 
 }  // namespace equipoise

@@ -1,11 +1,9 @@
 // What decides the starts of basin().
 #pragma once
 
-#include <memory>
-
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -19,10 +17,9 @@ void take_given_starts(const BasinOptions& options, Study& study);
 /// What the options of basin() ask of the attractor search. `searches` may be null.
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches);
 
-/// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
-/// first and finds the result again in `found`. The study must have its horizon and method; `few_starts`:
-/// AttractorSearchSettings. Throws RunError if stopped.
-std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
-                                            AttractorSearchCache& found, bool few_starts = false);
+/// A session that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
+/// first and finds the result again in `found`. The study must have its horizon and method. Throws RunError if stopped.
+Session lasting_session(const Study& study, const RunOptions& options, bool transients, AttractorSearchCache& found,
+                        SearchMode mode = SearchMode::full);
 
 }  // namespace equipoise

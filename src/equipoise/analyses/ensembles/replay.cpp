@@ -6,7 +6,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
@@ -32,14 +32,15 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   if (given) check_given(study, index, options.initial);
   replay.start = given ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  StartRunner runner(study, search_settings(options, options.searches), gathers);
+  const Session session(study, search_settings(options, options.searches), gathers);
+  RunCatalogue catalogue(session);
   Decided one;
-  if (runner.stopped() || !(given ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
+  if (session.stopped() || !(given ? session.decide({&replay.start, 1}, one) : session.decide(index, 1, one)))
     throw RunError("stopped before the start was decided");
-  runner.settle(one);
+  catalogue.settle(one);
   replay.fate = one.fates.front();
   if (gathers) replay.transients = one.transients.front();
-  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  if (const Attractor* a = catalogue.find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }
 

@@ -2,7 +2,6 @@
 #include "equipoise/analyses/ensembles/without_balls.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -16,7 +15,7 @@
 #include "equipoise/classification/rotor_family/study_family.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"
@@ -149,8 +148,7 @@ void refuse_starts(const Study& study, const BasinOptions& options) {
 }  // namespace
 
 BasinResult bare_basin(const Study& study, const BasinOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin = cpu_seconds();
+  const RunClock clock;
   check(study);
   refuse_starts(study, options);
   BasinResult result;
@@ -168,8 +166,7 @@ BasinResult bare_basin(const Study& study, const BasinOptions& options) {
   runs.one = !differ;
   result.partial = is_set(options.stop);
   if (!result.partial) result.without_balls = WithoutBalls{std::move(runs), {}};
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.cpu_seconds = cpu_seconds() - cpu_begin;
+  result.took(clock.time());
   return result;
 }
 

@@ -86,7 +86,7 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   const auto values = [&](std::size_t k) -> DataValues {
     return [&a, value = columns[k].value](std::size_t at) { return value(a, at); };
   };
-  BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, {result.seconds, result.cpu_seconds}};
+  BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, result};
   if (result.transients) end.all = result.transients->groups.front();
   end.without_balls = result.without_balls;
   io::write_basin_netcdf(place, {end, header, result.starts, values, result.discoveries, {result.cpu_target}});

@@ -1,4 +1,4 @@
-// A runner whose starts can be asked for in any order.
+// A session whose starts can be asked for in any order.
 #include "equipoise/analyses/mapper/ensemble.hpp"
 
 #include <cmath>
@@ -29,17 +29,26 @@ void check_angles(const Study& study, const std::vector<double>& phi) {
     if (!std::isfinite(angle)) throw InputError("ball angles", "", fmt::format("{}", angle), "must be finite numbers");
 }
 
-}  // namespace
-
-Ensemble::Ensemble(const Study& study, const EnsembleOptions& options) : gathers_(options.transients) {
+Session searched(const Study& study, const EnsembleOptions& options) {
   const ChosenCpuTarget chosen(options.cpu_target);
-  check_runnable(study, gathers_);
-  study_ = as_sampled(study);
   AttractorSearchCache own;
-  runner_ = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
-    return lasting_runner(study_, o, gathers_, options.searches ? *options.searches : own, options.few_starts);
+  return reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
+    return lasting_session(study, o, options.transients, options.searches ? *options.searches : own, options.search);
   });
 }
+
+Study checked(const Study& study, bool transients) {
+  check_runnable(study, transients);
+  return as_sampled(study);
+}
+
+}  // namespace
+
+Ensemble::Ensemble(const Study& study, const EnsembleOptions& options)
+    : study_(checked(study, options.transients)),
+      gathers_(options.transients),
+      session_(searched(study_, options)),
+      catalogue_(session_) {}
 
 Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
   const Sampler sampler = sampler_of(study_);
@@ -47,8 +56,8 @@ Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
     throw InputError(study_.name, "start index", fmt::format("{}", first + count),
                      fmt::format("must be at most {}, the starts of this grid", sampler.grid()->starts()));
   Ended ended;
-  if (!runner_->run(first, count, ended)) throw RunError("stopped before the starts were decided");
-  runner_->settle(ended);
+  if (!session_.decide(first, count, ended)) throw RunError("stopped before the starts were decided");
+  catalogue_.settle(ended);
   return ended;
 }
 
@@ -67,8 +76,8 @@ Ensemble::Ended Ensemble::at_angles(const std::vector<double>& phi) {
     places.push_back(i);
   }
   Decided those;
-  if (!given.empty()) runner_->run_from(given, those);
-  runner_->settle(those);
+  if (!given.empty()) session_.decide(given, those);
+  catalogue_.settle(those);
   Fate none;
   none.outcome = Outcome::failed;
   none.time = std::numeric_limits<double>::quiet_NaN();

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -16,8 +14,8 @@
 namespace equipoise {
 
 struct EnsembleOptions : RunOptions {
-  bool transients = false;                   ///< gather every start's transient
-  bool few_starts = false;                   ///< the search costs less than a hundred starts (AttractorSearchSettings)
+  bool transients = false;  ///< gather every start's transient
+  SearchMode search = SearchMode::full;
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive ensembles with the same final speed
 };
 
@@ -43,13 +41,14 @@ class Ensemble {
   /// The study, with its horizon and sampling method filled in.
   const Study& study() const { return study_; }
   /// The attractors known so far.
-  const Catalogue& catalogue() const { return runner_->catalogue(); }
-  BalanceNote balance() const { return runner_->balance(); }
+  const Catalogue& catalogue() const { return catalogue_; }
+  BalanceNote balance() const { return session_.balance(); }
 
  private:
   Study study_;
   bool gathers_;
-  std::unique_ptr<StartRunner> runner_;
+  Session session_;
+  RunCatalogue catalogue_;
 };
 
 }  // namespace equipoise

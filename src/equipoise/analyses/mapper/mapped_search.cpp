@@ -1,9 +1,9 @@
-// Compares two studies' searches key by key.
-#include "equipoise/analyses/mapper/mapped_search.hpp"
+// A mapper's attractor search for an ensemble of the same rotor: two studies' searches are compared key by key.
+#include "equipoise/analyses/mapper/mapper.hpp"
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"

@@ -56,4 +56,9 @@ class Mapper {
   std::unique_ptr<State> state_;
 };
 
+/// What basin() of `study` on CPU target `target` can use instead of its own search (BasinOptions::searches), with
+/// the same bits. The mapper's study must have the same search (attractor_search_subject()) and the same target;
+/// otherwise throws InputError that names the difference. Also throws for studies that are decided without a search.
+AttractorSearchCache mapped_search(const Mapper& mapper, const Study& study, const std::string& target);
+
 }  // namespace equipoise

@@ -6,8 +6,8 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
@@ -35,14 +35,14 @@ BasinCost measure_cost(const Study& asked, const RunOptions& options, double pat
     StopFlag stop{is_set(o.stop)};
     const Deadline deadline(stop, patience);
     const double begin = cpu_seconds();
-    const StartRunner runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
+    const Session session(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
     cost.search = cpu_seconds() - begin;
-    cost.search_ended = !runner.stopped();
+    cost.search_ended = !session.stopped();
     const double searched = cpu_seconds();
     for (std::uint64_t next = first_starts; cost.search_ended && cost.measured < std::min(cost.starts, most_starts);) {
       const std::uint64_t count = std::min(next, std::min(cost.starts, most_starts) - cost.measured);
       Decided decided;
-      if (!runner.run(cost.measured, count, decided)) break;
+      if (!session.decide(cost.measured, count, decided)) break;
       cost.measured += count;
       const double taken = cpu_seconds() - searched;
       cost.a_start = taken / static_cast<double>(cost.measured);

@@ -2,15 +2,12 @@
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
@@ -23,7 +20,7 @@ class PickFreeze {
  public:
   PickFreeze(const Study& study, const SensitivityOptions& options)
       : options_(options),
-        runner_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}),
+        session_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}),
         keys_(study.uncertain.values.size() + 1) {
     rows_.inputs = keys_;
   }
@@ -32,9 +29,7 @@ class PickFreeze {
     const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(chunk); },
                          .threads = thread_count(options_.threads),
                          .stop = options_.stop};
-    const std::atomic<bool> finished{false};
-    std::atomic<bool> lost{false};
-    compute_chunks(work, 0, options_.rows, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) { take(*chunk); });
+    take_chunks(work, options_.rows, [&](Chunk& chunk) { take(chunk); });
     result_.rows = rows_.rows();
     result_.evaluations = rows_.outcomes.size();
     result_.partial = result_.rows < options_.rows;
@@ -54,7 +49,7 @@ class PickFreeze {
     std::vector<DrawnStart> drawn;
     for (std::uint64_t row = chunk.first; row < chunk.first + chunk.count; ++row) {
       const std::uint64_t a = 2 * row, b = a + 1;
-      const std::vector<double> of_a = runner_.fractions_of(a), of_b = runner_.fractions_of(b);
+      const std::vector<double> of_a = session_.fractions_of(a), of_b = session_.fractions_of(b);
       drawn.push_back({a, of_a});
       drawn.push_back({b, of_b});
       for (std::size_t k = 0; k < of_a.size(); ++k) {
@@ -63,18 +58,13 @@ class PickFreeze {
       }
       drawn.push_back({b, of_a});
     }
-    if (runner_.stopped() || !runner_.run_drawn(drawn, chunk)) return false;
+    if (session_.stopped() || !session_.decide(drawn, chunk)) return false;
     for (const UnlistedStart& u : chunk.unlisted)
       if (u.motion && u.motion->stable) chunk.fates[u.place].attractor = static_cast<short>(u.name.id);
     return true;
   }
 
-  // Takes chunks in order. None counts after an incomplete one.
   void take(const Chunk& chunk) {
-    if (!chunk.complete || !whole_) {
-      whole_ = false;
-      return;
-    }
     for (std::size_t i = 0; i < chunk.fates.size(); ++i) {
       const Fate& fate = chunk.fates[i];
       const bool balanced = fate.outcome == Outcome::attracted && fate.attractor == balanced_id;
@@ -96,12 +86,11 @@ class PickFreeze {
   }
 
   const SensitivityOptions& options_;
-  StartRunner runner_;
+  const Session session_;
   std::size_t keys_;  // number of inputs
   PickFreezeRows rows_;
   SensitivityResult result_;
   std::uint64_t balanced_ = 0;
-  bool whole_ = true;
 };
 
 }  // namespace

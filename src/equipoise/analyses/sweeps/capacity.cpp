@@ -2,7 +2,6 @@
 #include "equipoise/analyses/sweeps/capacity.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -26,7 +25,7 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/cell_files/capacity_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
@@ -220,8 +219,7 @@ class CapacityRun final : public SurveyRun {
   }
 
   CapacityResult run() {
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_seconds();
+    const RunClock clock;
     check();
     if (!options_.output.empty()) {
       file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
@@ -240,8 +238,7 @@ class CapacityRun final : public SurveyRun {
         boundary.find();
         result_.open[cell] = boundary.open();
       }
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = cpu_seconds() - cpu_begin;
+    result_.took(clock.time());
     if (file_) io::finish_capacity_file(*file_, result_);
     return std::move(result_);
   }

@@ -1,7 +1,6 @@
 // Takes cells in, keeps and reports them.
 #include "equipoise/analyses/sweeps/sweep.hpp"
 
-#include <chrono>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -14,7 +13,7 @@
 #include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/analyses/sweeps/sweep_cell.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
@@ -39,8 +38,7 @@ class SweepRun final : public SurveyRun {
   }
 
   SweepResult run() {
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_seconds();
+    const RunClock clock;
     if (!options_.output.empty()) file_ = io::open_sweep_file(options_.output, result_.identity, result_.cells);
     if (file_) give_notice(options_, file_->loss());
     const std::vector<std::size_t> blocks = blocks_to_do();
@@ -48,8 +46,7 @@ class SweepRun final : public SurveyRun {
     const std::exception_ptr failure =
         work(sweep_survey(plan_), blocks, file_ ? &file_->notes() : nullptr, options_.helpers);
     label_attractors(result_.axes, result_.cells);
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = cpu_seconds() - cpu_begin;
+    result_.took(clock.time());
     if (failure) std::rethrow_exception(failure);  // what is done is kept beside the output
     if (file_) io::finish_sweep_file(*file_, result_);
     return std::move(result_);

@@ -78,7 +78,7 @@ BasinResult cell_ensemble(const SweepPlan& plan, const CellStart& start, const S
   options.transients = plan.transients();
   options.without_balls = false;
   options.warm_start_states = start.warm_start_states;
-  options.warm_start = start.warm_start;
+  options.search = start.warm_start ? SearchMode::warm : SearchMode::full;
   options.warm_start_levels = &start.warm_start_levels;
   options.threads = workers.threads;
   if (workers.idle) options.search_threads = workers.threads + workers.idle();

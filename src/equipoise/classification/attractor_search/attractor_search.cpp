@@ -21,13 +21,6 @@ namespace equipoise {
 
 namespace {
 
-// The largest groups are followed. More would be the debris of a motion that does not become steady.
-constexpr std::size_t most_groups = 24;
-// For a part of a family, besides the motions that the whole had. Its halves search again; rare motions are left to
-// their starts.
-constexpr std::size_t most_groups_beside = 8;
-// For few starts, most of which come to a few motions. With events each takes seconds.
-constexpr std::size_t most_groups_of_few = 6, most_eventful_groups_of_few = 2;
 // Windows longer by this factor show what chaos and tori are.
 constexpr double later_windows = 4.0;
 
@@ -39,13 +32,14 @@ class Discoverer {
 
   AttractorSearch run() {
     regions_.find_balanced();
-    if (s_.is_stopped() || (s_.settings.warm_start && !list_warm_start_states())) return stopped();
+    if (s_.is_stopped()) return stopped();
+    if (s_.plan.balance_alone) return finished();
+    const bool few = s_.settings.mode == SearchMode::few;  // the scouts are then all that is looked at
+    if (is_warm() && !list_warm_start_states()) return stopped();
     if (!s_.pilot.make()) return stopped();
     for (OwnRotor& rotor : s_.pilot.rotors()) s_.result.place(rotor);
     if (!follow_pilot(s_.pilot.scouts())) return stopped();
-    const bool few = s_.settings.few_starts;  // the scouts are then all that is looked at
-    if (!list_found(few || s_.settings.warm_start ? WarmStartStates::listed : WarmStartStates::new_ones))
-      return stopped();
+    if (!list_found(few || is_warm() ? WarmStartStates::listed : WarmStartStates::new_ones)) return stopped();
     if (few) {
       if (s_.study.numerics.decide == ClassificationMode::proof) regions_.level_balanced();
       return finished();
@@ -64,16 +58,9 @@ class Discoverer {
     return finished();
   }
 
-  AttractorSearch balance_alone() {
-    regions_.find_balanced();
-    if (s_.is_stopped()) return stopped();
-    if (s_.balance_box) ask_for_balance();
-    s_.notes.finish();
-    s_.result.rule.blind = false;
-    return std::move(s_.result);
-  }
-
  private:
+  bool is_warm() const { return s_.settings.mode == SearchMode::warm; }
+
   AttractorSearch finished() {
     if (s_.balance_box) ask_for_balance();
     if (s_.drawn && !follow_chaos(s_, chaos_)) return stopped();
@@ -151,7 +138,7 @@ class Discoverer {
       auto groups = group_records(s_.pilot.records(), *which, s_.balls(), tolerance);
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
-      groups.resize(std::min(groups.size(), groups_followed()));
+      groups.resize(std::min(groups.size(), s_.plan.groups));
       for (const MotionGroup& group : groups) {
         candidates_.push_back({group.members, group.features, group.range,
                                s_.pilot.state_on_section(group.members.front()),
@@ -160,12 +147,7 @@ class Discoverer {
       }
     }
     if (s_.balance_box) drop_balanced_candidates();
-    if (s_.settings.warm_start) recognise_candidates();
-  }
-
-  std::size_t groups_followed() const {
-    if (s_.settings.few_starts) return s_.system.smooth() ? most_groups_of_few : most_eventful_groups_of_few;
-    return s_.drawn && s_.settings.warm_start ? most_groups_beside : most_groups;
+    if (is_warm()) recognise_candidates();
   }
 
   // Trajectories on a slow way to balance are followed on lanes first. To follow one to a motion may take for ever.
@@ -264,12 +246,6 @@ class Discoverer {
     return true;
   }
 
-  // Where rotors differ, chaos that lasts this long counts as lasting.
-  double patience() const {
-    const double longest = followed_for(s_.system, s_.settings.few_starts);
-    return s_.drawn ? std::min(longest, lasting_chaos) : longest;
-  }
-
   // A state of the pilot becomes a candidate again if it came to no motion, or to one that looks different each time.
   const Candidate* followed_before(const Candidate& c) const {
     const auto at = std::find_if(followed_.begin(), followed_.end(),
@@ -288,7 +264,7 @@ class Discoverer {
       c.motion = before ? before->motion
                         : s_.notes.answer_at(
                               first + k, "motion", s_.settings.stop,
-                              [&] { return motion_from(system_of(c), c.state, patience(), s_.settings.stop); },
+                              [&] { return motion_from(system_of(c), c.state, s_.plan.patience, s_.settings.stop); },
                               [&](std::optional<Motion>& m) { return !m || fits_system(system_of(c), *m); });
       s_.stages.add(1);
     });
@@ -339,7 +315,7 @@ class Discoverer {
     std::vector<const Motion*> motions;
     std::vector<const OwnRotor*> own;
     for (Candidate& c : candidates_) {
-      if (!c.motion || !c.motion->stable || (c.members.empty() && !s_.settings.warm_start)) continue;
+      if (!c.motion || !c.motion->stable || (c.members.empty() && !is_warm())) continue;
       followed.push_back(&c);
       motions.push_back(&*c.motion);
       if (s_.drawn) own.push_back(c.own ? c.own : &s_.rotors.front());
@@ -374,17 +350,12 @@ AttractorSearch search_attractors(const StudyFamily& family, const FamilyBox& bo
   return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).run();
 }
 
-AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
-                               const AttractorSearchSettings& settings) {
-  const DrawnSource source(family, box, settings.stop);
-  return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).balance_alone();
-}
-
 AttractorSearch search_attractors(const Study& study, const AttractorSearchSettings& settings) {
   const Study steady = at_final_speed(study);
+  // Not kept: its regions read the stop flag, which is this run's.
+  if (steady.system().coasts()) return discover_coasting(steady, settings.stop);
   const std::string key = search_key(to_toml(steady), settings);
   const auto make = [&] {
-    if (steady.system().coasts()) return discover_coasting(steady, settings.stop);
     const std::unique_ptr<SpinUp> source = make_spin_up(steady, settings.stop);
     return Discoverer(steady, *source, settings, key).run();
   };

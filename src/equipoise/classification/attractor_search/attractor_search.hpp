@@ -36,24 +36,16 @@ struct AttractorSearchSettings {
   AttractorSearchCache* cache = nullptr;
   /// Called for each stage, from any thread but one at a time; Progress::preparing is set.
   std::function<void(const Progress&)> progress{};
-  /// warm_start_states are all that a neighbouring parameter has: a pilot of a quarter of the starts then looks for new
-  /// motions. One that it misses is listed once a start comes to it, as always.
-  bool warm_start = false;
-  /// For a first look: where a pilot start is dear, an eighth of the pilot.
-  bool brief = false;
-  /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
-  /// balance gets trapping regions, and windows decide the rest. Of starts that come to another motion one is followed
-  /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided. With events none
-  /// is followed: its windows show its motion (MotionKind::measured).
-  bool few_starts = false;
-  WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, with warm_start
-  SearchLog* notes = nullptr;              ///< log of the steps of searches, or null
-  std::string family{};                    ///< tells a family's notes from those of others
+  SearchMode mode = SearchMode::full;  ///< warm: warm_start_states and warm_start_levels are a neighbour's
+  double starts = many_starts;         ///< that the search serves: it does less for few (SearchPlan)
+  WarmStartLevels warm_start_levels = {};
+  SearchLog* notes = nullptr;  ///< log of the steps of searches, or null
+  std::string family{};        ///< tells a family's notes from those of others
 };
 
 /// All that is found before the first start is decided. It depends on the rotor, its final speed, [numerics] and the
-/// settings' warm_start_states (each with rotor angle 0 if that matters), warm_start and warm_start_levels alone. How a
-/// prescribed speed is reached does not matter, so all spin-ups to it share a search. A driven rotor's search depends
+/// settings' mode, starts, warm_start_levels and warm_start_states (each with rotor angle 0 if that matters) alone. How
+/// a prescribed speed is reached does not matter, so all spin-ups to it share a search. A driven rotor's search depends
 /// on its whole spin-up.
 struct AttractorSearch {
   BalancedAnalysis balanced;
@@ -84,9 +76,9 @@ struct AttractorSearchCache {
 inline constexpr double lasting_chaos = 10000.0;
 
 /// How long a trajectory is followed to its motion (motion_from()). Many touching balls make each time unit a hundred
-/// times as costly, and patience with a motion that does not come back gains nothing. `few_starts`: as in the settings;
-/// then motions with events are followed for an eighth.
-double followed_for(const model::System& system, bool few_starts = false);
+/// times as costly, and patience with a motion that does not come back gains nothing. For few starts, motions with
+/// events are followed for an eighth.
+double followed_for(const model::System& system, SearchMode mode);
 inline constexpr std::size_t few_scouts = 32, most_followed_of_few = 8;
 
 /// The part of a study that its search depends on, as text: studies that agree in it share one.
@@ -99,7 +91,7 @@ std::string search_key(const FamilyBox& part, const AttractorSearchSettings& set
 /// Analyses the balanced states. Runs pilot starts, free from rest at the final speed (for a driven rotor see
 /// PilotRun::make()), and starts in the invariant subspace of coincident balls, until they are stationary. Follows,
 /// refines and names one of each group; makes trapping regions and boxes and tries them. With anisotropic supports or
-/// gravity, motions are those on the stroboscopic section. StartRunner later follows and lists any other motion that a
+/// gravity, motions are those on the stroboscopic section. Session later follows and lists any other motion that a
 /// start comes to. A coasting rotor has no final speed, so nothing is searched: balance and the stalled rotor are
 /// listed, and CoastingRegion tests starts for both.
 AttractorSearch search_attractors(const Study& study, const AttractorSearchSettings& settings);

@@ -18,13 +18,24 @@ namespace equipoise {
 
 namespace {
 
+// To follow fewer starts of a rotor that tilts one by one costs less than to search for what they may come to.
+constexpr double worth_a_search = 150.0;
+
 // A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if two balls touch as if
 // they pass each other, and fifty times if many do.
 PilotRun::Size pilot_size(const model::System& system, const AttractorSearchSettings& settings) {
-  if (settings.few_starts) return {few_scouts, 0, few_scouts};
+  if (settings.mode == SearchMode::few) return {few_scouts, 0, few_scouts};
   const PilotRun::Size whole;
-  if (is_dear(system)) return whole.part(settings.brief ? 128 : 16);
-  return whole.part(settings.warm_start || system.events().contact ? 4 : 1);
+  if (is_dear(system)) return whole.part(settings.starts <= starts_of_a_first_look ? 128 : 16);
+  return whole.part(settings.mode == SearchMode::warm || system.events().contact ? 4 : 1);
+}
+
+// More groups would be the debris of a motion that does not become steady. Most of few starts come to a few motions;
+// with events each takes seconds. A part of a family that was halved has the motions of the whole, and its halves
+// search again; rare motions are left to their starts.
+std::size_t groups_followed(const model::System& system, SearchMode mode, bool drawn) {
+  if (mode == SearchMode::few) return system.smooth() ? 6 : 2;
+  return drawn && mode == SearchMode::warm ? 8 : 24;
 }
 
 // Follows states by a rule, from psi = 0, as on a stroboscopic section, for `longest` times its first long window.
@@ -65,6 +76,14 @@ Motion measured_motion() {
   return motion;
 }
 
+SearchPlan::SearchPlan(const model::System& system, const AttractorSearchSettings& settings, bool drawn)
+    : balance_alone(drawn && system.tilts() && settings.starts < worth_a_search),
+      pilot(pilot_size(system, settings)),
+      groups(groups_followed(system, settings.mode, drawn)),
+      // Where rotors differ, chaos that lasts this long counts as lasting.
+      patience(drawn ? std::min(followed_for(system, settings.mode), lasting_chaos)
+                     : followed_for(system, settings.mode)) {}
+
 Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettings& asked, const std::string& subject,
                const DrawnSource* drawing)
     : study(s),
@@ -72,6 +91,7 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
       settings(asked),
       drawn(drawing),
       notes(asked.notes, subject),
+      plan(system, asked, drawing != nullptr),
       stages("looking for attractors", asked.progress),
       trials{.system = &system,
              .tolerance = source.tolerance(),
@@ -79,7 +99,7 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
              .stop = asked.stop,
              .progress = &stages,
              .notes = &notes},
-      pilot(system, source, s.initial, pilot_size(system, asked), drawing) {
+      pilot(system, source, s.initial, plan.pilot, drawing) {
   result.catalogue = Catalogue(drawing != nullptr);
 }
 
@@ -168,17 +188,17 @@ ClassificationRule first_rule(const Study& study, const BalancedAnalysis& balanc
   return rule;
 }
 
-double followed_for(const model::System& system, bool few_starts) {
-  if (few_starts && !system.smooth()) return 0.125 * motion_patience;
+double followed_for(const model::System& system, SearchMode mode) {
+  if (mode == SearchMode::few && !system.smooth()) return 0.125 * motion_patience;
   return is_dear(system) ? 0.25 * motion_patience : motion_patience;
 }
 
 std::string attractor_search_subject(const Study& study) { return to_toml(at_final_speed(study)); }
 
 std::string search_key(const std::string& subject, const AttractorSearchSettings& settings) {
-  std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.warm_start);
-  if (settings.brief) key += "\nbrief";
-  if (settings.few_starts) key += "\nfew starts";
+  std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.mode == SearchMode::warm);
+  if (settings.starts <= starts_of_a_first_look) key += "\nfirst look";
+  if (settings.mode == SearchMode::few) key += "\nfew starts";
   for (const WarmStartLevel& h : settings.warm_start_levels.levels)
     key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
   for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);

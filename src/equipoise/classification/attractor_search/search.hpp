@@ -53,6 +53,18 @@ bool is_dear(const model::System& system);
 /// A motion that starts come to but no state of which is known.
 Motion measured_motion();
 
+/// How much of a search is done. It follows from the system, the mode and the starts that the search serves. For a
+/// coasting rotor there is none at all (discover_coasting()).
+struct SearchPlan {
+  /// `drawn`: for a part of a family.
+  SearchPlan(const model::System& system, const AttractorSearchSettings& settings, bool drawn);
+
+  bool balance_alone;    ///< every start that comes to anything else is followed by itself
+  PilotRun::Size pilot;  ///< else
+  std::size_t groups;    ///< of pilot trajectories that are followed, the largest first
+  double patience;       ///< how long each is followed
+};
+
 struct Search {
   /// `drawn`: the source, if it draws rotors; `study` is then that of its middle. `subject`: everything that the search
   /// depends on.
@@ -86,6 +98,7 @@ struct Search {
   const AttractorSearchSettings& settings;
   const DrawnSource* const drawn;
   NotePage notes;
+  const SearchPlan plan;
   StageProgress stages;
   TrialSettings trials;
   std::vector<OwnRotor> rotors;  ///< for trials: the middle's first
@@ -116,7 +129,7 @@ void make_boxes(Search& search, const std::vector<Candidate>& found);
 /// `found`: candidates of the pilot.
 void audit_boxes(Search& search, const std::vector<Candidate>& found);
 /// If all random scouts came to listed motions and no box needs an audit, the rest of the pilot would only find motions
-/// rarer than one in a thousand. StartRunner lists those too, once a start comes to one. At a prescribed speed without
+/// rarer than one in a thousand. Session lists those too, once a start comes to one. At a prescribed speed without
 /// events and gravity, the rest costs less than following a few such starts; in all other cases it is most of the
 /// search.
 bool scouts_suffice(const Search& search);
@@ -127,11 +140,6 @@ bool add_trend(Search& search, Candidate& c);
 bool follow_chaos(Search& search, const std::map<int, Eigen::VectorXd>& chaos);
 /// Features of a candidate or one of its members, shown by the rotor `own`, as the middle's motion shows them.
 Features of_middle(const Search& search, const Candidate& c, const Features& f, const OwnRotor* own);
-
-/// For few rotors of a family's part: its balance alone. Every start that comes to anything else is then followed by
-/// itself.
-AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
-                               const AttractorSearchSettings& settings);
 
 /// For a coasting rotor: each start finds its own final speed, and with it the motions that it can come to.
 AttractorSearch discover_coasting(const Study& study, const StopFlag* stop);

@@ -139,7 +139,7 @@ void SearchRegions::add_listed(const Attractor& a) {
 // Windows recognise all others. States of a rotor that tilts have so many directions that trials would cost more than
 // they save, and so do all trials for few starts.
 bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
-  return !motion.eventful && (id == balanced_id || !(s_.system.tilts() || s_.settings.few_starts));
+  return !motion.eventful && (id == balanced_id || !(s_.system.tilts() || s_.settings.mode == SearchMode::few));
 }
 
 void SearchRegions::add(const Motion& motion, int id) {

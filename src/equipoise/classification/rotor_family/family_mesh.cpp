@@ -61,6 +61,7 @@ class MeshMaker {
  public:
   MeshMaker(const StudyFamily& family, const FamilyStarts& starts, const AttractorSearchSettings& settings)
       : family_(family), starts_(starts), settings_(settings) {
+    settings_.starts = std::min(settings.starts, starts.count);
     if (settings.progress)
       settings_.progress = [this, &settings](const Progress& progress) {
         const std::lock_guard lock(telling_);
@@ -86,17 +87,15 @@ class MeshMaker {
   std::optional<Tried> tried(const FamilyBox& box, const FamilyCell* parent) {
     AttractorSearchSettings settings = settings_;
     if (parent) {
-      settings.warm_start = true;
+      settings.mode = SearchMode::warm;
       settings.warm_start_states = parent->search.warm_start_states;
       settings.warm_start_levels = parent->search.warm_start_levels;
     }
     const model::System middle = family_.at(family_.values_at(box.centre())).system();
-    // To follow so few starts one by one costs less than to search for what they may come to.
-    const bool few = middle.tilts() && starts_.count * dear < a_search;
-    AttractorSearch found = few ? search_balance(family_, box, settings) : search_attractors(family_, box, settings);
+    AttractorSearch found = search_attractors(family_, box, settings);
     if (found.stopped) return std::nullopt;
     Tried result{{box, middle, std::move(found), {}}, {}};
-    if (few) return result;
+    if (SearchPlan(middle, settings, true).balance_alone) return result;
     NotePage notes(settings_.notes, "judging\n" + search_key(box, settings));
     result.judgement = notes.answer("cost", settings_.stop, [&] { return judge(result.cell); });
     if (is_set(settings_.stop)) return std::nullopt;

@@ -16,14 +16,14 @@ struct FamilyCell {
   FamilyBox box;
   model::System middle;
   AttractorSearch search;
-  /// Identifiers in the mesh's catalogue, by those in its own.
+  /// Identifiers in the mesh's catalogue, by those in its own; empty if they are the same.
   std::vector<int> ids;
   /// Starts left open by the horizon mostly come to a motion soon if followed on.
   bool follows_open = true;
   /// They are then followed together for this long beyond the horizon, before each goes on by itself.
   static constexpr double further = motion_patience;
 
-  int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
+  int id(int own) const { return own > 0 && !ids.empty() ? ids[static_cast<std::size_t>(own)] : own; }
 };
 
 /// Cells fill the unit cube of a family's fractions. A cell is halved if its starts are then decided much sooner, or if

@@ -8,12 +8,12 @@
 #include "equipoise/attractors/motions/motion_figures.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/attractor_search/search.hpp"
-#include "equipoise/classification/start_runs/start_runner.hpp"
-#include "equipoise/classification/start_runs/undecided.hpp"
+#include "equipoise/classification/start_runs/batch.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
@@ -26,203 +26,260 @@ float unbalance_of(const model::System& system, const double* state) {
   return static_cast<float>(std::abs(model::unbalance(system.parameters(), state + model::index::phi(0))));
 }
 
+Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& state) {
+  return {state.data(), static_cast<Eigen::Index>(state.size())};
+}
+
 }  // namespace
 
+bool Session::Batch::begin(std::uint64_t first, std::size_t count) {
+  return s_.source_->make(s_.study_.sampling.seed, first, count, starts_, watched_table());
+}
+
+bool Session::Batch::begin(std::span<const InitialState> given) {
+  return s_.source_->follow(parted(s_.study_.parameters, given), starts_, watched_table());
+}
+
 // Applies the rule to all starts that are not over; the others keep their fates.
-bool StartRunner::decide(Batch& batch) const {
-  batch.fates = batch.starts.fates;
-  if (few_starts_) batch.records.emplace(batch.starts.size());
-  std::vector<std::vector<std::size_t>> cells(family_ ? mesh_.cells.size() : 1);
-  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
-    if (batch.starts.is_over(i) || !(batch.starts.begin(i, source_->settled()) < batch.end(i))) continue;
-    cells[family_ ? batch.cell[i] : 0].push_back(i);
-  }
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (cells[c].empty()) continue;
-    const ClassificationRule& rule = family_ ? mesh_.cells[c].search.rule : search_.rule;
-    if (!classify_some(batch, cells[c], rule)) return false;
-    for (const std::size_t i : cells[c])
-      if (family_) batch.fates[i].attractor = static_cast<short>(mesh_.cells[c].id(batch.fates[i].attractor));
-  }
+bool Session::Batch::classify() {
+  fates_ = starts_.fates;
+  if (few()) records_.emplace(starts_.size());
+  std::vector<std::vector<std::size_t>> places(s_.mesh_.cells.size());
+  for (std::size_t i = 0; i < starts_.size(); ++i)
+    if (!starts_.is_over(i) && begin_of(i) < end(i)) places[own_.empty() ? 0 : cell_[i]].push_back(i);
+  for (std::size_t c = 0; c < places.size(); ++c)
+    if (!places[c].empty() && !classify(s_.mesh_.cells[c], places[c])) return false;
   return true;
 }
 
-bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& places,
-                                const ClassificationRule& rule) const {
-  const std::size_t size = system_.dimension();
-  SpunUp& starts = batch.starts;
-  BatchTask task = source_->last_task();
-  task.end = source_->settled() + *study_.numerics.horizon;
+bool Session::Batch::classify(const FamilyCell& cell, const std::vector<std::size_t>& places) {
+  const std::size_t size = s_.system_.dimension();
+  BatchTask task = s_.source_->last_task();
+  task.end = horizon();
   std::vector<double> states, begins;
   std::vector<const OwnRotor*> own;
   TransientTable rows;
-  if (batch.watched) rows = batch.table.part(places);
+  if (watched_) rows = table_.part(places);
   for (const std::size_t i : places) {
-    states.insert(states.end(), &starts.states[i * size], &starts.states[i * size] + size);
-    begins.push_back(starts.begin(i, source_->settled()));
-    if (!family_) continue;
-    const FamilyCell& cell = mesh_.cells[batch.cell[i]];
-    starts.rotors[i].coordinates = family_->coordinates(cell.box, batch.own[i].fractions);
-    cell.search.place(starts.rotors[i]);
-    if (const MetMotions* met = batch.own[i].met) starts.rotors[i].met = &met->known;
-    own.push_back(&starts.rotors[i]);
+    states.insert(states.end(), state(i), state(i) + size);
+    begins.push_back(begin_of(i));
+    if (own_.empty()) continue;
+    OwnRotor& rotor = starts_.rotors[i];
+    rotor.coordinates = s_.family_->coordinates(cell.box, own_[i].fractions);
+    cell.search.place(rotor);
+    if (const MetMotions* met = own_[i].met) rotor.met = &met->known;
+    own.push_back(&rotor);
   }
   task.take(states, own, begins);
-  if (batch.watched) task.transients = &rows;
+  if (watched_) task.transients = &rows;
   std::vector<Fate> decided(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts.fates[places[k]].met;
-  std::vector<PilotRecord> records(batch.records ? places.size() : 0);
-  if (!classify_batch(task, rule, decided, batch.records ? &records : nullptr)) return false;
+  for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts_.fates[places[k]].met;
+  std::vector<PilotRecord> records(records_ ? places.size() : 0);
+  if (!classify_batch(task, cell.search.rule, decided, records_ ? &records : nullptr)) return false;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
-    batch.fates[i] = decided[k];
-    if (batch.records) (*batch.records)[i] = records[k];
-    std::copy_n(&states[k * size], size, &starts.states[i * size]);
+    fates_[i] = decided[k];
+    fates_[i].attractor = static_cast<short>(cell.id(decided[k].attractor));
+    if (records_) (*records_)[i] = records[k];
+    std::copy_n(&states[k * size], size, &starts_.states[i * size]);
   }
-  if (batch.watched) batch.table.put_back(places, rows);
+  if (watched_) table_.put_back(places, rows);
   return true;
 }
 
-// Decides starts and says what each came to.
-bool StartRunner::finish(Batch& batch, Decided& decided) const {
-  if (!decide(batch) || !note_last_speeds(batch) || !note_radii(batch)) return false;
-  const std::size_t count = batch.starts.size();
-  decided.fates = std::move(batch.fates);
+bool Session::Batch::finish(Decided& decided) {
+  if (!classify() || !note_last_speeds() || !note_radii()) return false;
+  const std::size_t count = starts_.size();
   decided.unlisted.clear();
-  decided.transients.assign(batch.watched ? count : 0, TransientRow{});
+  decided.transients.assign(watched_ ? count : 0, TransientRow{});
   for (std::size_t i = 0; i < count; ++i) {
-    Fate& fate = decided.fates[i];
-    const model::System& system = batch.system(i);
-    const bool left = fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && fate.time >= batch.end(i);
+    Fate& fate = fates_[i];
+    std::optional<UnlistedStart> unlisted;
+    std::optional<MotionFigures> end;  // of its motion, if known
     // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
-    const bool open = left && family_ && follows_open(batch, i);
+    const bool left = is_left(i), open = left && follows_open(i);
     if (open) fate.outcome = Outcome::attracted;
-    const bool attracted = fate.outcome == Outcome::attracted;
-    std::optional<MotionFigures> end;
-    if (left && !open && is_in_chaos(system, when_recognised(batch, i, fate.time), fate.time)) {
-      decided.unlisted.push_back(in_chaos(batch, i, fate.time));
+    const bool arrives = fate.outcome == Outcome::attracted;
+    if (arrives && fate.attractor <= 0) {
+      unlisted = follow_on(i, open);
+      if (!unlisted) return false;
+      const std::optional<Motion>& motion = unlisted->motion;
+      if (watched_ && motion && motion->kind != MotionKind::measured && motion->stable)
+        end = motion_figures(system(i).parameters(), *motion, table_.settings_of(i).shaft);
+    } else if (arrives) {
+      if (s_.system_.coasts()) fate.by = DecidedBy::followed;
+      fate.mean_speed = static_cast<float>(mean_speed(i));
+      end = table_.end_of(fate.attractor).figures;
+      // Balls held by dry friction leave a different unbalance after each start.
+      const Attractor* listed = s_.catalogue().find(fate.attractor);
+      if (listed && listed->motion.set_valued) fate.unbalance = unbalance_of(system(i), state(i));
+    } else if (left && is_in_chaos(i, when_recognised(i, fate.time), fate.time)) {
+      unlisted = in_chaos(i, fate.time);
       fate.outcome = Outcome::attracted;
       fate.by = DecidedBy::horizon;
-    } else if (attracted && fate.attractor <= 0) {
-      // A watched trajectory has gone on since it was decided.
-      const double now = batch.watched ? batch.table.rows[i].end : fate.time;
-      const double patience = !family_ ? followed_for(system_, few_starts_) : open ? a_look : lasting_chaos;
-      std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(batch, i, fate)
-                                           : few_starts_      ? unlisted_of_few(batch, i, now)
-                                                              : unlisted_start(batch, i, now, patience);
-      if (!start) return false;
-      // Few starts are not all followed.
-      if (!start->motion && !few_starts_ && is_in_chaos(system, start->state, now + patience)) {
-        start = in_chaos(batch, i, now);
-        fate.time = std::max(fate.time, now + patience);
-      }
-      decided.unlisted.push_back(*std::move(start));
-      fate.attractor = 0;
-      const auto& motion = decided.unlisted.back().motion;
-      const bool known = motion && motion->kind != MotionKind::measured;
-      fate.by = motion && !known ? DecidedBy::windows : DecidedBy::followed;
-      if (known && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
-      if (motion && motion->set_valued) fate.unbalance = unbalance_of(system, motion->state.data());
-      if (batch.watched && known && motion->stable)
-        end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).shaft);
-    } else if (attracted) {
-      if (system_.coasts()) fate.by = DecidedBy::followed;
-      fate.mean_speed = static_cast<float>(mean_speed(batch, i, fate));
-      end = batch.table.end_of(fate.attractor).figures;
     }
-    // Balls held by dry friction leave a different unbalance after each start.
-    const Attractor* listed = attracted && fate.attractor > 0 ? catalogue_.find(fate.attractor) : nullptr;
-    if (listed && listed->motion.set_valued) fate.unbalance = unbalance_of(system, batch.state(i));
     // Whatever its motion is called, the motor did not bring the rotor up to speed.
-    if (attracted && !system.prescribed() && std::fabs(fate.mean_speed) < batch.study(i).stall_speed())
+    if (arrives && !s_.system_.prescribed() && std::fabs(fate.mean_speed) < study(i).stall_speed())
       fate.outcome = Outcome::stalled;
-    if (!batch.watched) continue;
-    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
-    TransientSettings settings = batch.table.settings_of(i);
-    // A motor releases the balls of each start at a different time.
-    if (!batch.starts.released.empty()) settings.release = batch.starts.released[i];
-    decided.transients[i] = transient_row(settings, batch.table.rows[i], lost, end);
+    if (unlisted) decided.unlisted.push_back(*std::move(unlisted));
+    if (watched_) decided.transients[i] = row(i, end);
   }
+  decided.fates = std::move(fates_);
   return true;
+}
+
+// Not decided by the horizon.
+bool Session::Batch::is_left(std::size_t i) const {
+  return fates_[i].outcome == Outcome::undecided && !starts_.is_over(i) && fates_[i].time >= end(i);
+}
+
+bool Session::Batch::follows_open(std::size_t i) const {
+  if (own_.empty()) return false;
+  const MetMotions* met = own_[i].met;
+  return cell(i).follows_open && (!met || met->follows_open);
+}
+
+// Follows a start that the rule does not name to its motion. `open`: the horizon left it.
+std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open) {
+  Fate& fate = fates_[i];
+  // A watched trajectory has gone on since it was decided.
+  const double now = watched_ ? table_.rows[i].end : fate.time;
+  const double patience = own_.empty() ? followed_for(s_.system_, s_.mode_) : open ? a_look : lasting_chaos;
+  std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(i)
+                                       : few()            ? unlisted_of_few(i, now)
+                                                          : unlisted(i, now, patience);
+  if (!start) return start;
+  // Few starts are not all followed.
+  if (!start->motion && !few() && is_in_chaos(i, start->state, now + patience)) {
+    start = in_chaos(i, now);
+    fate.time = std::max(fate.time, now + patience);
+  }
+  const std::optional<Motion>& motion = start->motion;
+  const bool measured = motion && motion->kind == MotionKind::measured;
+  fate.attractor = 0;
+  fate.by = measured ? DecidedBy::windows : DecidedBy::followed;
+  if (motion && !measured && !system(i).prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
+  if (motion && motion->set_valued) fate.unbalance = unbalance_of(system(i), motion->state.data());
+  return start;
 }
 
 // Of a trajectory that came to nothing until `followed`. Exponents are those of the linearised equations, which
 // meetings of balls break off.
-bool StartRunner::is_in_chaos(const model::System& system, const std::vector<double>& state, double followed) const {
-  if (!system.smooth() || system.coasts() || followed - source_->settled() < lasting_chaos) return false;
-  const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  return look_at_undecided(system, z).what == Restlessness::chaotic;
+bool Session::Batch::is_in_chaos(std::size_t i, const std::vector<double>& state, double followed) const {
+  if (!system(i).smooth() || s_.system_.coasts() || followed - s_.settled() < lasting_chaos) return false;
+  return look_at_undecided(system(i), vector_of(state)).what == Restlessness::chaotic;
 }
 
-UnlistedStart StartRunner::in_chaos(const Batch& batch, std::size_t i, double now) const {
-  return {i, when_recognised(batch, i, now), measured_motion(), {long_lived_chaos, "", 0}};
+UnlistedStart Session::Batch::in_chaos(std::size_t i, double now) const {
+  return {i, when_recognised(i, now), measured_motion(), {long_lived_chaos, "", 0}};
 }
 
 // The mean speed of a driven rotor is its attractor's, for a trapping region may catch it before it has turned for
 // long. A coasting rotor keeps the speed that it has in balance; any other end is at rest.
-double StartRunner::mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const {
-  if (system_.prescribed()) return fate.mean_speed;
-  if (system_.coasts()) return fate.attractor == balanced_id ? batch.state(i)[system_.layout().speed] : 0.0;
-  if (family_ && fate.attractor == balanced_id) return model::balanced_speed(batch.system(i)).value_or(fate.mean_speed);
+double Session::Batch::mean_speed(std::size_t i) const {
+  const Fate& fate = fates_[i];
+  const bool balanced = fate.attractor == balanced_id;
+  if (s_.system_.prescribed()) return fate.mean_speed;
+  if (s_.system_.coasts()) return balanced ? state(i)[s_.system_.layout().speed] : 0.0;
+  if (!own_.empty() && balanced) return model::balanced_speed(system(i)).value_or(fate.mean_speed);
   // A start decided by windows has long turned at its speed. One caught by a trapping region may still be speeding up.
   const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
-  const Attractor* a = family_ && seen && !std::isnan(fate.mean_speed) ? nullptr : catalogue_.find(fate.attractor);
+  const bool own_mean = !own_.empty() && seen && !std::isnan(fate.mean_speed);
+  const Attractor* a = own_mean ? nullptr : s_.catalogue().find(fate.attractor);
   return a && a->motion.kind != MotionKind::measured ? a->motion.speed : fate.mean_speed;
 }
 
+TransientRow Session::Batch::row(std::size_t i, const std::optional<MotionFigures>& end) const {
+  const bool lost = fates_[i].outcome == Outcome::diverged || fates_[i].outcome == Outcome::failed;
+  TransientSettings settings = table_.settings_of(i);
+  // A motor releases the balls of each start at a different time.
+  if (!starts_.released.empty()) settings.release = starts_.released[i];
+  return transient_row(settings, table_.rows[i], lost, end);
+}
+
 // `patience` applies to a start with a rotor of its own.
-std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std::size_t i, double now,
-                                                         double patience) const {
-  const std::vector<double> state = when_recognised(batch, i, now);
+std::optional<UnlistedStart> Session::Batch::unlisted(std::size_t i, double now, double patience) const {
+  const std::vector<double> state = when_recognised(i, now);
   std::optional<UnlistedStart> start;
-  if (!family_) {
-    start = follow(state);
+  if (own_.empty()) {
+    start = s_.follow(state);
   } else {
-    const model::System& system = batch.system(i);
-    const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-    start = UnlistedStart{0, state, motion_from(system, z, patience, stop_), {}};
-    if (is_set(stop_)) return std::nullopt;
-    if (start->motion) start->name = motion_name(system.parameters(), *start->motion);
+    start = UnlistedStart{0, state, motion_from(system(i), vector_of(state), patience, s_.stop_), {}};
+    if (is_set(s_.stop_)) return std::nullopt;
+    if (start->motion) start->name = motion_name(system(i).parameters(), *start->motion);
   }
   if (start) start->place = i;
   return start;
 }
 
 // A start that looks like one followed before has come to the same motion.
-std::optional<UnlistedStart> StartRunner::unlisted_of_few(Batch& batch, std::size_t i, double now) const {
-  const PilotRecord& record = (*batch.records)[i];
-  const KnownFeatures* like = record.finished_window
-                                  ? nearest_met(record.features, batch.looks, system_.balls(), search_.rule.sameness)
-                                  : nullptr;
-  if (like)
-    return UnlistedStart{i, when_recognised(batch, i, now), batch.came_to[static_cast<std::size_t>(like->attractor)]};
+std::optional<UnlistedStart> Session::Batch::unlisted_of_few(std::size_t i, double now) {
+  const PilotRecord& record = (*records_)[i];
+  const KnownFeatures* like =
+      record.finished_window ? nearest_met(record.features, looks_, s_.system_.balls(), cell(i).search.rule.sameness)
+                             : nullptr;
+  if (like) {
+    UnlistedStart again = came_to_[static_cast<std::size_t>(like->attractor)];
+    again.place = i;
+    again.state = when_recognised(i, now);
+    return again;
+  }
   // To follow one past its strikes and stops takes longer than all starts together: its windows show the motion.
-  if (!system_.smooth() && !system_.coasts())
-    return UnlistedStart{i, when_recognised(batch, i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
-  if (batch.came_to.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(batch, i, now), {}};
-  std::optional<UnlistedStart> start = unlisted_start(batch, i, now, 0.0);
+  if (!s_.system_.smooth() && !s_.system_.coasts())
+    return UnlistedStart{i, when_recognised(i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
+  if (came_to_.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(i, now), {}};
+  const std::optional<UnlistedStart> start = unlisted(i, now, 0.0);
   if (!start) return start;
   if (record.finished_window)
-    batch.looks.push_back({.features = record.features,
-                           .attractor = static_cast<int>(batch.came_to.size()),
-                           .chaotic = !start->motion || never_repeats(start->motion->kind)});
-  batch.came_to.push_back(start->motion);
+    looks_.push_back({.features = record.features,
+                      .attractor = static_cast<int>(came_to_.size()),
+                      .chaotic = !start->motion || never_repeats(start->motion->kind)});
+  came_to_.push_back(*start);
   return start;
 }
 
-UnlistedStart StartRunner::met_again(const Batch& batch, std::size_t i, const Fate& fate) const {
-  const Motion& motion = batch.own[i].met->motions[static_cast<std::size_t>(-fate.attractor - 1)];
-  return {i, {motion.state.begin(), motion.state.end()}, motion, motion_name(batch.system(i).parameters(), motion)};
+UnlistedStart Session::Batch::met_again(std::size_t i) const {
+  const Motion& motion = own_[i].met->motions[static_cast<std::size_t>(-fates_[i].attractor - 1)];
+  return {i, {motion.state.begin(), motion.state.end()}, motion, motion_name(system(i).parameters(), motion)};
 }
 
 // The state from which a start is followed on, from time `now`. With a stroboscopic section it lies on the next
 // section, so that it needs no rotor angle beside it.
-std::vector<double> StartRunner::when_recognised(const Batch& batch, std::size_t i, double now) const {
-  const model::System& system = batch.system(i);
-  const Eigen::Map<const Eigen::VectorXd> z(batch.state(i), system.dimension());
-  const model::Segment segment = family_ ? batch.starts.rotors[i].segment : source_->last_task().segment;
-  const Eigen::VectorXd there = at_next_section(system, z, segment.psi_at(now)).value_or(z);
+std::vector<double> Session::Batch::when_recognised(std::size_t i, double now) const {
+  const Eigen::Map<const Eigen::VectorXd> z(state(i), system(i).dimension());
+  const model::Segment segment = own_.empty() ? s_.source_->last_task().segment : starts_.rotors[i].segment;
+  const Eigen::VectorXd there = at_next_section(system(i), z, segment.psi_at(now)).value_or(z);
   return {there.begin(), there.end()};
+}
+
+std::optional<UndecidedEnd> Session::Batch::look() {
+  if (starts_.is_over(0))
+    return UndecidedEnd{
+        .what = Restlessness::clamped, .reached = starts_.nearest[0], .asked = *s_.study_.release.speed};
+  if (!classify()) return std::nullopt;
+  UndecidedEnd end = look_at_undecided(s_.system_, vector_of(when_recognised(0, fates_[0].time)));
+  if (fates_[0].outcome == Outcome::attracted && end.what == Restlessness::regular)
+    end.what = Restlessness::unidentified;
+  if (s_.system_.prescribed()) return end;
+  const float before = fates_[0].mean_speed;
+  if (!note_last_speeds()) return std::nullopt;
+  const Restlessness of_rotor = restlessness(before);
+  const bool changes = of_rotor == Restlessness::speeding_up || of_rotor == Restlessness::changing_speed;
+  const bool waits_for_speed = end.what == Restlessness::creeping || end.what == Restlessness::near_balance;
+  if (end.what == Restlessness::regular || (changes && waits_for_speed)) end.what = of_rotor;
+  if (end.what == Restlessness::speeding_up) end.reached = std::fabs(static_cast<double>(fates_[0].mean_speed));
+  return end;
+}
+
+// Compares a driven rotor's last speed with `before`, the mean over its last long window. For motions that are not
+// chaotic. hardly_seen: it was watched over too few short windows to tell one from the next.
+Restlessness Session::Batch::restlessness(double before) const {
+  constexpr double steady = 0.02;
+  constexpr int fewest_windows = 8;
+  const double now = fates_[0].mean_speed;
+  if (fates_[0].time - begin_of(0) < fewest_windows * cell(0).search.rule.window) return Restlessness::hardly_seen;
+  if (!(std::fabs(now - before) > steady * std::fabs(now))) return Restlessness::regular;
+  return std::fabs(now) > std::fabs(before) ? Restlessness::speeding_up : Restlessness::changing_speed;
 }
 
 }  // namespace equipoise

@@ -1,8 +1,9 @@
 // Starts with rotors of their own: drawn ones, given ones of a family, and the motions that one rotor's starts come to.
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/batch.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
@@ -22,11 +23,11 @@ void change_units(const model::Scales& from, const model::Scales& to, Fate& fate
   for (const TransientFigure& f : transient_figures) change(row->*f.value, *f.dimension);
 }
 
-bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided, bool watched) const {
+bool Session::decide(std::span<const DrawnStart> drawn, bool watched, Decided& decided) const {
   const int balls = study_.parameters.balls;
   std::vector<std::size_t> places;  // of starts whose values make a study
   std::vector<FamilyStart> starts;
-  decided.phi.clear();
+  std::vector<double> phi;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     InitialState start;
     try {
@@ -38,12 +39,13 @@ bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided,
     } catch (const InputError&) {  // values beyond the ends that check_drawable() tried
       start = start_of(study_, sampler_, study_.sampling.seed, drawn[i].number);
     }
-    decided.phi.insert(decided.phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
   }
   Decided those;
-  if (!run_family(std::move(starts), those, watched)) return false;
+  if (!decide(std::move(starts), watched, those)) return false;
   Fate none;
   none.outcome = Outcome::failed;
+  decided.phi = std::move(phi);
   decided.fates.assign(drawn.size(), none);
   decided.transients.assign(watched ? drawn.size() : 0, transient_row({}, {}, true));
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -58,58 +60,77 @@ bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided,
   return true;
 }
 
-// Decides starts with the family's rotors; results are in the units of the study's medians.
-bool StartRunner::run_family(std::vector<FamilyStart> given, Decided& decided, bool watched) const {
-  if (system_.coasts()) return run_coasting(given, decided, watched);
-  Batch batch(*this, watched);
-  if (!begin_family(std::move(given), batch) || !finish(batch, decided)) return false;
-  for (std::size_t i = 0; i < decided.fates.size(); ++i)
-    if (const auto& scales = batch.own[i].own.study.scales)
-      change_units(*scales, *study_.scales, decided.fates[i], watched ? &decided.transients[i] : nullptr);
+// Results are in the units of the session's study. Coasting rotors are decided one after the other.
+bool Session::decide(std::vector<FamilyStart> given, bool watched, Decided& decided) const {
+  decided = {};
+  std::vector<std::optional<model::Scales>> scales;
+  for (const FamilyStart& start : given) scales.push_back(start.own.study.scales);
+  if (system_.coasts()) {
+    for (const FamilyStart& start : given)
+      if (!decide_coasting(start, watched, decided)) return false;
+  } else {
+    Batch batch(*this, watched);
+    if (!batch.begin(std::move(given)) || !batch.finish(decided)) return false;
+  }
+  for (std::size_t i = 0; i < scales.size(); ++i)
+    if (scales[i])
+      change_units(*scales[i], *study_.scales, decided.fates[i], watched ? &decided.transients[i] : nullptr);
   return true;
 }
 
-bool StartRunner::begin_family(std::vector<FamilyStart> given, Batch& batch) const {
+// Adds a start, decided by a session of its own.
+bool Session::decide_coasting(const FamilyStart& start, bool watched, Decided& decided) const {
+  const Session alone(start.own.study, {.stop = stop_}, watched);
+  RunCatalogue catalogue(alone);
+  Decided one;
+  if (!alone.decide({&start.own.start, 1}, one)) return false;
+  catalogue.settle(one);
+  Fate& fate = one.fates.front();
+  if (const Attractor* a = catalogue.find(fate.attractor); a && fate.outcome == Outcome::attracted) {
+    const MotionName name{a->name, a->alias, a->id < first_free_id ? a->id : 0};
+    decided.unlisted.push_back({decided.fates.size(), {}, a->motion, name});
+    decided.unlisted.back().motion->stable = true;
+    fate.attractor = 0;
+  }
+  decided.fates.push_back(fate);
+  decided.transients.insert(decided.transients.end(), one.transients.begin(), one.transients.end());
+  return true;
+}
+
+bool Session::Batch::begin(std::vector<FamilyStart> given) {
   std::vector<OwnRotorStart> starts;
   for (const FamilyStart& g : given) {
     starts.push_back(g.own);
-    batch.cell.push_back(mesh_.index(g.fractions));
-    if (batch.watched) batch.table.own.push_back(transient_settings(g.own.study, transients_));
+    cell_.push_back(s_.mesh_.index(g.fractions));
+    if (watched_) table_.own.push_back(transient_settings(g.own.study, s_.transients_));
   }
-  batch.own = std::move(given);
-  if (!spin_up_own_rotors(starts, stop_, batch.starts, batch.watched_table())) return false;
+  own_ = std::move(given);
+  if (!spin_up_own_rotors(starts, s_.stop_, starts_, watched_table())) return false;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    if (follows_open(batch, i)) batch.starts.rotors[i].end += FamilyCell::further;
+    if (follows_open(i)) starts_.rotors[i].end += FamilyCell::further;
   return true;
 }
 
-bool StartRunner::follows_open(const Batch& batch, std::size_t i) const {
-  const MetMotions* met = batch.own[i].met;
-  return mesh_.cells[batch.cell[i]].follows_open && (!met || met->follows_open);
-}
-
 // Takes starts one by one, so that each motion is followed only once.
-bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
-                       std::span<MetMotions> met) const {
-  Batch batch(*this, false);
-  batch.records.emplace(given.size());
-  if (!begin_family(std::move(given), batch) || !decide(batch)) return false;
+bool Session::Batch::meet(std::span<const std::size_t> rotor, std::span<MetMotions> met) {
+  records_.emplace(starts_.size());
+  if (!classify()) return false;
   std::vector<int> late(met.size()), settled(met.size());  // starts of the rotor that the horizon left open
   std::vector<char> restless(met.size());                  // one of the rotor's starts comes to nothing
-  for (std::size_t i = 0; i < batch.fates.size(); ++i) {
-    const Fate& fate = batch.fates[i];
+  for (std::size_t i = 0; i < fates_.size(); ++i) {
+    const Fate& fate = fates_[i];
     const std::size_t r = rotor[i];
-    const double further = follows_open(batch, i) ? FamilyCell::further : 0.0;
-    const bool was_open = fate.time >= batch.end(i) - further;
+    const double further = follows_open(i) ? FamilyCell::further : 0.0;
+    const bool was_open = fate.time >= end(i) - further;
     late[r] += was_open;
     const bool open = fate.outcome == Outcome::undecided;
     const bool unlisted = fate.outcome == Outcome::attracted && fate.attractor == 0;
-    if (!unlisted && !(open && !batch.starts.is_over(i) && !restless[r])) {
+    if (!unlisted && !(open && !starts_.is_over(i) && !restless[r])) {
       settled[r] += was_open && !open;
       continue;
     }
-    const bool comes = meet(batch, i, met[r]);
-    if (is_set(stop_)) return false;
+    const bool comes = meet(i, met[r]);
+    if (is_set(s_.stop_)) return false;
     settled[r] += was_open && comes;
     restless[r] |= open && !comes;
   }
@@ -118,39 +139,17 @@ bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size
 }
 
 // Adds the motion that a start comes to, unless it is already there. False if it comes to none, or if stopped.
-bool StartRunner::meet(const Batch& batch, std::size_t i, MetMotions& met) const {
-  const PilotRecord& record = (*batch.records)[i];
+bool Session::Batch::meet(std::size_t i, MetMotions& met) const {
+  const PilotRecord& record = (*records_)[i];
   if (!record.finished_window) return false;
-  const double sameness = mesh_.cells[batch.cell[i]].search.rule.sameness;
-  if (nearest_met(record.features, met.known, study_.parameters.balls, sameness)) return true;
-  const std::optional<UnlistedStart> start = unlisted_start(batch, i, batch.fates[i].time, lasting_chaos);
+  if (nearest_met(record.features, met.known, s_.system_.balls(), cell(i).search.rule.sameness)) return true;
+  const std::optional<UnlistedStart> start = unlisted(i, fates_[i].time, lasting_chaos);
   if (!start || !start->motion || !start->motion->stable) return false;
   if (start->motion->set_valued) return true;  // each ball held by dry friction stays in its own place
   met.motions.push_back(*start->motion);
   met.known.push_back({.features = record.features,
                        .attractor = -static_cast<int>(met.motions.size()),
                        .chaotic = never_repeats(start->motion->kind)});
-  return true;
-}
-
-// One rotor after the other.
-bool StartRunner::run_coasting(std::span<const FamilyStart> given, Decided& decided, bool watched) const {
-  decided = {};
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const Study& study = given[i].own.study;
-    StartRunner alone(study, {.stop = stop_}, watched);
-    Decided one;
-    if (!alone.run_from({&given[i].own.start, 1}, one)) return false;
-    alone.settle(one);
-    Fate& fate = decided.fates.emplace_back(one.fates.front());
-    if (const Attractor* a = alone.catalogue().find(fate.attractor); a && fate.outcome == Outcome::attracted) {
-      decided.unlisted.push_back({i, {}, a->motion, {a->name, a->alias, a->id < first_free_id ? a->id : 0}});
-      decided.unlisted.back().motion->stable = true;
-      fate.attractor = 0;
-    }
-    if (watched) decided.transients.push_back(one.transients.front());
-    if (study.scales) change_units(*study.scales, *study_.scales, fate, watched ? &decided.transients.back() : nullptr);
-  }
   return true;
 }
 

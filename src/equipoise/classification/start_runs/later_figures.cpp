@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/batch.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 namespace equipoise {
@@ -138,53 +138,50 @@ constexpr double no_radius = 1e-9;
 }  // namespace
 
 // Means are for starts left open at the horizon. One given up earlier runs away, so its last speed counts.
-bool StartRunner::note_last_speeds(Batch& batch) const {
-  if (system_.prescribed()) return true;
-  const std::size_t size = system_.dimension();
-  const BatchTask task = source_->last_task();
+bool Session::Batch::note_last_speeds() {
+  if (s_.system_.prescribed()) return true;
+  const std::size_t size = s_.system_.dimension();
+  const BatchTask task = s_.source_->last_task();
   std::vector<std::size_t> places;
   std::vector<double> states;
   std::vector<OwnRotor> own;
-  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
-    Fate& fate = batch.fates[i];
-    if (fate.outcome != Outcome::undecided || batch.starts.is_over(i)) continue;
-    const double* state = batch.state(i);
-    fate.mean_speed = static_cast<float>(state[task.layout().speed]);
-    if (fate.time < batch.end(i)) continue;
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    Fate& fate = fates_[i];
+    if (fate.outcome != Outcome::undecided || starts_.is_over(i)) continue;
+    fate.mean_speed = static_cast<float>(state(i)[task.layout().speed]);
+    if (!is_left(i)) continue;
     places.push_back(i);
-    states.insert(states.end(), state, state + size);
-    if (family_) own.push_back(batch.starts.rotors[i]);
+    states.insert(states.end(), state(i), state(i) + size);
+    if (!own_.empty()) own.push_back(starts_.rotors[i]);
   }
   if (places.empty()) return true;
-  const double horizon = source_->settled() + *study_.numerics.horizon;
-  const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon, std::move(own));
-  for (std::size_t k = 0; k < speeds.size(); ++k) batch.fates[places[k]].mean_speed = static_cast<float>(speeds[k]);
+  const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon(), std::move(own));
+  for (std::size_t k = 0; k < speeds.size(); ++k) fates_[places[k]].mean_speed = static_cast<float>(speeds[k]);
   return !speeds.empty();
 }
 
 // Of listed motions, which other rotors of the family have shown. A start that is followed to its motion has that
 // one's.
-bool StartRunner::note_radii(Batch& batch) const {
-  if (!measures_radii_) return true;
-  const std::size_t size = system_.dimension();
+bool Session::Batch::note_radii() {
+  if (!s_.measures_radii_) return true;
+  const std::size_t size = s_.system_.dimension();
   std::vector<std::size_t> places;
   std::vector<double> states;
   std::vector<KnownTrajectory> known;
-  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
-    Fate& fate = batch.fates[i];
-    if (fate.outcome != Outcome::attracted || fate.attractor <= 0 || batch.starts.is_over(i)) continue;
-    if (mesh_.catalogue.find(fate.attractor)->motion.r_max < no_radius) {
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    Fate& fate = fates_[i];
+    if (fate.outcome != Outcome::attracted || fate.attractor <= 0 || starts_.is_over(i)) continue;
+    if (s_.catalogue().find(fate.attractor)->motion.r_max < no_radius) {
       fate.radius = 0.0f;
       continue;
     }
     places.push_back(i);
-    states.insert(states.end(), batch.state(i), batch.state(i) + size);
-    const double window = mesh_.cells[batch.cell[i]].search.rule.first_long_window;
-    known.push_back({batch.starts.rotors[i], fate.time, window});
+    states.insert(states.end(), state(i), state(i) + size);
+    known.push_back({starts_.rotors[i], fate.time, cell(i).search.rule.first_long_window});
   }
   if (places.empty()) return true;
-  const std::vector<float> radii = steady_radii(source_->last_task(), std::move(states), std::move(known));
-  for (std::size_t k = 0; k < radii.size(); ++k) batch.fates[places[k]].radius = radii[k];
+  const std::vector<float> radii = steady_radii(s_.source_->last_task(), std::move(states), std::move(known));
+  for (std::size_t k = 0; k < radii.size(); ++k) fates_[places[k]].radius = radii[k];
   return !radii.empty();
 }
 

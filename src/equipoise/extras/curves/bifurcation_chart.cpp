@@ -1,10 +1,8 @@
 // The grid, then curves and regions, then the proof and curves that it shows, then cycles.
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 
-#include <chrono>
-
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/extras/curves/curve_starts.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
@@ -15,8 +13,7 @@ namespace equipoise {
 namespace {
 
 BifurcationChart computed_chart(const Study& study, const ChartSettings& settings) {
-  const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin = cpu_seconds();
+  const RunClock clock;
   // An axis may bring what the study itself has not, such as gravity.
   const PlaneStudies plane(study, settings.x, settings.y,
                            [](const Study& there) { check_offers(there, model::ResultKind::curves); });
@@ -39,8 +36,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   chart.threads = chart.plane.threads;
   chart.cpu_target = chart.plane.cpu_target;
   if (!settings.output.empty()) write_chart_file(settings.output, chart);
-  chart.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  chart.cpu_seconds = cpu_seconds() - cpu_begin;
+  chart.took(clock.time());
   return chart;
 }
 

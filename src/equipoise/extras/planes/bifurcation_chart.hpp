@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/extras/planes/stability_plane.hpp"
 
 namespace equipoise {
@@ -144,7 +145,7 @@ struct ProofBox {
   BalanceKind kind = BalanceKind::open;
 };
 
-struct BifurcationChart {
+struct BifurcationChart : RunInfo {
   Study study;
   StabilityPlane plane;  ///< the grid from which curves were begun
   std::vector<ChartCurve> curves;
@@ -166,9 +167,6 @@ struct BifurcationChart {
   double undecided = 0.0;            ///< the part of the plane at which proofs were to end
   std::string not_proved;  ///< why nothing can be proved of this rotor; empty: boxes were tried, or not asked for
   bool complete = true;
-  int threads = 1;
-  double seconds = 0.0, cpu_seconds = 0.0;
-  std::string cpu_target;
 
   /// Part of the plane, 0 to 1.
   double proved(BalanceKind kind) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/columns/column.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 #include "equipoise/results/types/attractor.hpp"
@@ -92,15 +93,12 @@ struct OwnPoint {
 };
 
 /// Rows follow y, points within a row x; they stand at the centres of pixels.
-struct StabilityPlane {
+struct StabilityPlane : RunInfo {
   Study study;  ///< as given; its values of the two keys play no part
   SliceAxis x, y;
   std::vector<BalancePoint> points;
   std::optional<OwnPoint> own;  ///< none if the study's values are no single numbers
   bool complete = true;
-  int threads = 1;
-  double seconds = 0.0, cpu_seconds = 0.0;
-  std::string cpu_target;
 
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);

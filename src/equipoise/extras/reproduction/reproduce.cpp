@@ -14,7 +14,7 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -122,8 +122,7 @@ class TableRun {
     if (!file.complete() || file.stored() != study.sampling.starts) return false;
     result.study = study;
     result.starts = file.stored();
-    result.seconds = file.time().seconds;
-    result.cpu_seconds = file.time().cpu_seconds;
+    result.took(file.time());
     for (const OutcomeShare& line : file.summary()) {
       if (line.id > 0)
         result.attractors.push_back(line);
@@ -149,9 +148,7 @@ class TableRun {
     options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
     static_cast<BasinResult&>(result) = basin(study, options);
     if (path.empty()) return result;
-    const RunTime time = BasinFile(path, basin_file_header(study, false)).time();  // earlier parts included
-    result.seconds = time.seconds;
-    result.cpu_seconds = time.cpu_seconds;
+    result.took(BasinFile(path, basin_file_header(study, false)).time());  // earlier parts included
     return result;
   }
 

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
@@ -123,8 +122,7 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const RunOptions&
 }
 
 StabilityPlane computed(const PlaneStudies& studies, const RunOptions& settings) {
-  const auto begin = std::chrono::steady_clock::now();
-  const double cpu_begin = cpu_seconds();
+  const RunClock clock;
   StabilityPlane plane;
   plane.study = studies.study();
   plane.x = studies.x();
@@ -151,8 +149,7 @@ StabilityPlane computed(const PlaneStudies& studies, const RunOptions& settings)
   });
   plane.complete = plane.count(BalanceKind::not_computed) == 0;
   if (plane.complete) plane.own = own_point(studies, settings, plane);
-  plane.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  plane.cpu_seconds = cpu_seconds() - cpu_begin;
+  plane.took(clock.time());
   return plane;
 }
 

@@ -8,7 +8,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
 
 namespace equipoise {
@@ -50,7 +50,7 @@ class Trials {
     };
     one.cpu_target = options_.cpu_target;
     one.transients = true;
-    one.few_starts = true;
+    one.search = SearchMode::few;
     one.searches = &searches_[k];
     Study study = changes_[k].study;
     study.sampling.starts = starts;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/statistics/escape_rate.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
@@ -29,7 +30,7 @@ struct SamplingChoice {
 };
 
 /// Everything a report needs.
-struct BasinResult : OtherShares {
+struct BasinResult : OtherShares, RunInfo {
   Study study;
   std::uint64_t starts = 0;              ///< counted: starts 0 to starts - 1
   std::uint64_t asked = 0;               ///< starts wanted; 0: as many as the half-width requires
@@ -59,9 +60,6 @@ struct BasinResult : OtherShares {
   std::optional<JitteredGrid> grid;              ///< for that method
   bool balanced_stable = false;                  ///< a linearly stable balanced state exists at the final speed
   std::string note;                              ///< why no start can end balanced, if that is so
-  int threads = 0;
-  std::string cpu_target;
-  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included
 
   /// All attractors, and the other outcomes that some start came to (others_met()).
   std::vector<OutcomeShare> outcomes_met() const {

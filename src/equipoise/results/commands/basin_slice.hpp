@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/columns/column.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -70,7 +71,7 @@ struct SliceFigures {
 };
 
 /// Rows follow y, pixels within a row x. NaN means no value.
-struct BasinSlice {
+struct BasinSlice : RunInfo {
   Study study;     ///< as given; its values of the two keys play no part
   SliceAxis x, y;  ///< of the pixels that are here
   int every = 1;   ///< of a large slice in a file, only every so many-th row and column is here
@@ -93,9 +94,6 @@ struct BasinSlice {
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
   std::uint64_t pixels_left_out = 0;              ///< of shares and figures: analyses/basin_slices/invariant_pixels.hpp
   std::uint64_t pixels_kept = 0;                  ///< computed pixels that earlier runs left in the output
-  int threads = 1;
-  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this call
-  std::string cpu_target;                   ///< instruction set used
 
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/types/motion.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -78,7 +79,7 @@ double growth_rate(const Motion& motion);
 /// Largest modulus of a Floquet multiplier, without shifts in time and along a continuum; NaN without multipliers.
 double largest_multiplier(const Motion& motion);
 
-struct BranchesResult {
+struct BranchesResult : RunInfo {
   Study study;                 ///< as given; its own value of the parameter plays no part
   std::string key;             ///< of the parameter
   std::vector<double> values;  ///< rising
@@ -86,9 +87,6 @@ struct BranchesResult {
   std::uint64_t starts = 0;      ///< random starts searched at every value and half-way between
   std::vector<Branch> branches;  ///< by identifier
   bool partial = false;          ///< stopped before everything was continued
-  double seconds = 0.0;
-  int threads = 1;
-  std::string cpu_target;
 };
 
 /// "final rotor speed Omega / critical speed" and so on; the key itself for parameters without a label.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -58,7 +59,7 @@ struct OpenCapacity {
   std::size_t trials = 0;
 };
 
-struct CapacityResult {
+struct CapacityResult : RunInfo {
   Study study;
   std::string key, unit;  ///< the key asked for, and the unit of its values
   double from = 0.0, to = 0.0, precision = 0.0;
@@ -71,9 +72,6 @@ struct CapacityResult {
   std::uint64_t trials = 0;                        ///< made in this run
   std::uint64_t most_trials = 0;                   ///< number that all cells take
   std::uint64_t resumed_trials = 0;                ///< read from an earlier run's file
-  int threads = 0;
-  std::string cpu_target;
-  double seconds = 0.0, cpu_seconds = 0.0;
 
   /// "end balanced", "keep every limit", "keep limits.velocity".
   std::string asked() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -100,7 +101,7 @@ struct DesignStep {
 enum class DesignMethod { automatic, cmaes, nsga2, random, latin, grid };
 inline constexpr std::array<const char*, 6> design_method_names{"auto", "cmaes", "nsga2", "random", "latin", "grid"};
 
-struct DesignResult {
+struct DesignResult : RunInfo {
   Study study;
   std::vector<DesignVariable> variables;
   std::vector<DesignFigure> figures;
@@ -124,9 +125,6 @@ struct DesignResult {
   std::uint64_t resumed = 0;  ///< ensembles read from an earlier run's file
   std::string proposed;       ///< of a study that states no [design]: the one that was used, as TOML
   std::string identity;
-  int threads = 0;
-  std::string cpu_target;
-  double seconds = 0.0, cpu_seconds = 0.0;
 };
 
 }  // namespace equipoise

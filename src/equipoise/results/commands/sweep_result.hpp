@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
@@ -70,7 +71,7 @@ struct SweepCell : OtherShares {
 /// By index; consecutive cells follow the last axis; null: not done. Pointers: most cells of a large sweep are null.
 using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
 
-struct SweepResult {
+struct SweepResult : RunInfo {
   Study study;  ///< the one that is varied
   std::vector<SweepAxis> axes;
   std::string identity;  ///< everything that determines the cells, as text
@@ -78,9 +79,6 @@ struct SweepResult {
   double half_width = 0.0;  ///< asked for; 0: none
   bool transients = false;
   std::uint64_t resumed_cells = 0;  ///< read from an earlier run's file
-  int threads = 0;
-  std::string cpu_target;
-  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run
 
   bool complete() const {
     return std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return !!cell; });

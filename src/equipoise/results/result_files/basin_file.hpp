@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/machine/datasheet/scales.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
@@ -40,11 +41,6 @@ struct BasinFileHeader {
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
   std::optional<model::Scales> scales;          ///< of a study in physical units; stated in files with transients
-};
-
-/// Total time of all runs into a file.
-struct RunTime {
-  double seconds = 0.0, cpu_seconds = 0.0;
 };
 
 /// What a run states of all starts in the file that it leaves.
@@ -98,6 +94,7 @@ class BasinFile : public io::RowStore {
   /// As stated by the last run's finish(); complete() is false if there was none.
   bool complete() const { return unfinished() == 0 && says_complete(); }
   std::vector<OutcomeShare> summary() const;
+  /// Of all runs into the file.
   RunTime time() const { return time_; }
 
  private:

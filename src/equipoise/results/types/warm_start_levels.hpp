@@ -6,6 +6,23 @@
 
 namespace equipoise {
 
+/// How much a search for attractors does.
+enum class SearchMode {
+  full,
+  /// All that a neighbouring parameter has is known: a pilot of a quarter of the starts then looks for new motions. One
+  /// that it misses is listed once a start comes to it, as always.
+  warm,
+  /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
+  /// balance gets trapping regions, and windows decide the rest. Of starts that come to another motion one is followed
+  /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided. With events none
+  /// is followed: its windows show its motion (MotionKind::measured).
+  few
+};
+/// A search serves this many starts if nothing else is said.
+inline constexpr double many_starts = 1e5;
+/// A first look at a machine, one of many, serves no more.
+inline constexpr double starts_of_a_first_look = 1e3;
+
 /// The level of an attractor's trapping regions, of balanced ones (classification/balanced_regions/balanced_region.hpp)
 /// by what they had before it was widened; 0: none was found.
 struct WarmStartLevel {

@@ -137,7 +137,8 @@ struct Fleet {
 // the horizon are not followed further.
 class MotorSource final : public SpinUp {
  public:
-  MotorSource(const Study& study, const StopFlag* stop) : MotorSource(std::vector<Machine>{Machine(study)}, stop) {}
+  MotorSource(const Study& study, const StopFlag* stop)
+      : MotorSource(std::vector<Machine>{Machine(study)}, false, stop) {}
 
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients) const override {
@@ -165,7 +166,7 @@ class MotorSource final : public SpinUp {
           .push_back(i);
       spun.rotors[i] = m.rotor(m.systems.size() - 1);
     }
-    const MotorSource source(std::move(machines), stop);
+    const MotorSource source(std::move(machines), true, stop);
     source.begin(
         starts.size(), [&](std::size_t i) { return starts[i].start; }, spun, transients);
     return std::all_of(groups.begin(), groups.end(), [&](const auto& group) {
@@ -174,11 +175,10 @@ class MotorSource final : public SpinUp {
   }
 
  private:
-  MotorSource(std::vector<Machine> machines, const StopFlag* stop)
-      : machines_(std::move(machines)), sampler_(sampler_of(machines_.front().study)), stop_(stop) {}
+  MotorSource(std::vector<Machine> machines, bool own, const StopFlag* stop)
+      : machines_(std::move(machines)), own_(own), sampler_(sampler_of(machines_.front().study)), stop_(stop) {}
 
-  // All starts share one machine, or each has its own.
-  const Machine& of(std::size_t i) const { return machines_[machines_.size() == 1 ? 0 : i]; }
+  const Machine& of(std::size_t i) const { return machines_[own_ ? i : 0]; }
 
   void add(const Machine& machine, const InitialState& start, SpunUp& starts) const {
     const model::System& system = machine.systems.front();
@@ -208,9 +208,8 @@ class MotorSource final : public SpinUp {
   bool advance(const std::vector<std::size_t>& members, SpunUp& starts, TransientTable* transients) const {
     if (members.empty()) return true;
     const Machine& one = of(members.front());
-    const bool own = machines_.size() > 1 && members.size() > 1;
     const auto size = static_cast<std::size_t>(one.systems.front().dimension());
-    Fleet fleet{starts, transients, members, one, own, std::vector<char>(starts.size(), one.clamped_at_first), size};
+    Fleet fleet{starts, transients, members, one, own_, std::vector<char>(starts.size(), one.clamped_at_first), size};
     for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
       if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
       const bool last = k + 1 == one.drive.pieces.size();
@@ -356,6 +355,7 @@ class MotorSource final : public SpinUp {
   }
 
   std::vector<Machine> machines_;
+  bool own_;  // each start has its own machine, else all share one
   Sampler sampler_;
   const StopFlag* stop_;
 };
