@@ -48,11 +48,10 @@ struct Outcome {
 
 Outcome compute(const ChunkWork& work) {
   Outcome outcome;
-  const std::atomic<bool> finished{false};
-  std::atomic<bool> lost{false};
-  compute_chunks(work, first, limit, finished, lost,
-                 [&](const std::shared_ptr<Chunk>& chunk) { outcome.row.take(*chunk); });
-  outcome.lost = lost;
+  outcome.lost = !take_chunks(work, first, limit, [&](Chunk& chunk) {
+    outcome.row.take(chunk);
+    return true;
+  });
   return outcome;
 }
 

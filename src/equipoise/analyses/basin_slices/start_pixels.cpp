@@ -131,7 +131,10 @@ bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const Tak
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
   const ChunkWork work{
       .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
-  return take_chunks(work, positions.size(), [&](Chunk& chunk) { hand_on(positions, chunk, take); });
+  return take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+    hand_on(positions, chunk, take);
+    return true;
+  });
 }
 
 InitialState StartPixels::start(std::uint32_t position) const {

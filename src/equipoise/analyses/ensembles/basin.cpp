@@ -2,7 +2,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -119,19 +118,21 @@ class BasinRun {
     else
       set_method(given.value_or(SamplingMethod::random));
     if (lost_) {  // interrupted before a method was chosen: begin no file, report what the pilot counted
-      for (auto& chunk : pilot_) commit(*chunk);
+      for (Chunk& chunk : pilot_) commit(chunk);
       return;
     }
     open_file();
     if (!session_) begin_session();
     read_stored();
-    for (auto& chunk : pilot_) commit(*chunk);
+    for (Chunk& chunk : pilot_) commit(chunk);
     pilot_.clear();
     if (finished_ || unread_ || session_->stopped()) return;
     // Damage may have left gaps in the file.
     while (!finished_ && !lost_)
-      compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_,
-              [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
+      lost_ = !compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_, [&](Chunk& chunk) {
+        commit(chunk);
+        return !finished_;
+      });
   }
 
   void set_method(SamplingMethod method) {
@@ -168,26 +169,21 @@ class BasinRun {
       set_method(SamplingMethod::sobol);
       begin_session();
       Tally tally = *tally_;
-      compute(0, pilot_starts, [&](const std::shared_ptr<Chunk>& chunk) { try_chunk(chunk, tally); });
-      if (lost_ || session_->stopped()) {
-        lost_ = true;
-        return;
-      }
+      const bool whole = compute(0, pilot_starts, [&](Chunk& chunk) {
+        catalogue_->settle(chunk);
+        for (const Fate& fate : chunk.fates) tally.add(fate);
+        pilot_.push_back(std::move(chunk));
+        report(tally, 0);
+        return true;
+      });
+      lost_ = !whole || session_->stopped();
+      if (lost_) return;
       choice = choose_sampling(tally.shares(), options_.half_width);
     }
     result_.choice = choice;
     if (choice.method == SamplingMethod::sobol) return;
     pilot_.clear();
     set_method(SamplingMethod::random);
-  }
-
-  void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
-    lost_ = lost_ || !chunk->complete;
-    if (lost_) return;
-    catalogue_->settle(*chunk);
-    for (const Fate& fate : chunk->fates) tally.add(fate);
-    pilot_.push_back(chunk);
-    report(tally, 0);
   }
 
   void open_file() {
@@ -316,12 +312,12 @@ class BasinRun {
       ++stays_below_;
   }
 
-  void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
+  bool compute(std::uint64_t first, std::uint64_t limit, const TakeChunk& take) const {
     const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
                          .threads = threads_,
                          .stop = options_.stop,
                          .help = options_.help};
-    compute_chunks(work, first, limit, finished_, lost_, sink);
+    return take_chunks(work, first, limit, take);
   }
 
   void report(const Tally& tally, std::uint64_t limit) const {
@@ -329,15 +325,9 @@ class BasinRun {
       options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
   }
 
-  // Takes chunks in, in order. No chunk after an incomplete one counts, so the result stays a prefix. Starts that the
-  // file already held are skipped.
+  // Takes chunks in, in order. Starts that the file already held are skipped.
   void commit(Chunk& chunk) {
-    if (finished_) return;
-    if (!chunk.complete || stop_counting_) {
-      lost_ = stop_counting_ = true;
-      return;
-    }
-    if (chunk.first + chunk.count <= tally_->total()) return;
+    if (finished_ || chunk.first + chunk.count <= tally_->total()) return;
     const std::size_t begin = static_cast<std::size_t>(tally_->total() - chunk.first);
     std::size_t taken = begin;
     auto unlisted = chunk.unlisted.begin();
@@ -378,15 +368,14 @@ class BasinRun {
   std::optional<RunCatalogue> catalogue_;
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
-  std::vector<std::shared_ptr<Chunk>> pilot_;
+  std::vector<Chunk> pilot_;
   std::uint64_t passed_ = 0, stays_below_ = 0, below_ = 0;  // starts above resonance; below it for good; or when last
                                                             // seen
   std::uint64_t met_ = 0;                                   // starts whose balls touched
   double passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and stored
-  std::atomic<bool> finished_{false}, lost_{false};
+  bool finished_ = false, lost_ = false;
   bool unread_ = false;  // stopped before the motions that the file names were listed
-  bool stop_counting_ = false;
   Horizon horizon_;
   std::vector<std::uint64_t> undecided_, stalled_;  // indices of the first few
 };

@@ -19,13 +19,10 @@ std::size_t most_open(const ChunkWork& work) {
 
 }  // namespace
 
-ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit,
-                       const std::atomic<bool>& finished, std::atomic<bool>& lost, const ChunkSink& sink)
+ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const TakeChunk& take)
     : work_(work),
       limit_(limit),
-      finished_(finished),
-      lost_(lost),
-      sink_(sink),
+      take_(take),
       size_(limit - first, work.threads),
       most_open_(most_open(work)),
       next_(first),
@@ -87,7 +84,11 @@ void ChunkQueue::pass_on(std::unique_lock<std::mutex>& lock) {
     const auto chunk = decided_.begin()->second;
     decided_.erase(decided_.begin());
     lock.unlock();
-    sink_(chunk);
+    if (!chunk->complete && !finished_) {
+      whole_ = false;
+      lost_ = true;
+    }
+    if (whole_ && !finished_) finished_ = !take_(*chunk);
     lock.lock();
     passed_ += chunk->count;
   }
@@ -115,9 +116,8 @@ class Opened {
 
 }  // namespace
 
-void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
-                    std::atomic<bool>& lost, const ChunkSink& sink) {
-  ChunkQueue queue(work, first, limit, finished, lost, sink);
+bool take_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const TakeChunk& take) {
+  ChunkQueue queue(work, first, limit, take);
   {
     const Opened opened(work.help, queue);
     in_parallel(work.threads, static_cast<std::size_t>(work.threads), [&](std::size_t) {
@@ -125,18 +125,7 @@ void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t li
       }
     });
   }
-  if (!finished && !queue.passed_all()) lost = true;
-}
-
-bool take_chunks(const ChunkWork& work, std::uint64_t count, const std::function<void(Chunk&)>& take) {
-  const std::atomic<bool> finished{false};
-  std::atomic<bool> lost{false};
-  bool whole = true;  // all chunks so far
-  compute_chunks(work, 0, count, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
-    whole = whole && chunk->complete;
-    if (whole) take(*chunk);
-  });
-  return whole && !lost;
+  return queue.done();
 }
 
 }  // namespace equipoise

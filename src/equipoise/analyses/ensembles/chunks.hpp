@@ -1,6 +1,7 @@
 // Starts computed in chunks on all threads, and passed on in index order.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -11,7 +12,6 @@
 #include <mutex>
 #include <vector>
 
-#include "equipoise/analyses/ensembles/chunk_size.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
 
@@ -23,6 +23,26 @@ struct Chunk : Decided {
   bool complete = false;
 
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
+};
+
+/// How many starts a thread takes at a time: large enough that lanes seldom wait for a chunk's last trajectory, small
+/// enough that every thread gets many chunks and none takes much over a second, so that finished starts soon reach the
+/// file. Results do not depend on it.
+class ChunkSize {
+ public:
+  ChunkSize(std::uint64_t starts, int threads)
+      : most_(std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least, 8192)) {}
+
+  std::uint64_t next() const {
+    const double pace = pace_.load(std::memory_order_relaxed);
+    return pace > 0.0 ? std::clamp(static_cast<std::uint64_t>(1.0 / pace), least, most_) : least;
+  }
+  void took(std::size_t starts, double seconds) { pace_ = seconds / static_cast<double>(starts); }
+
+ private:
+  static constexpr std::uint64_t least = 256;
+  std::uint64_t most_;
+  std::atomic<double> pace_{0.0};  // seconds a start, in the last finished chunk
 };
 
 class ChunkQueue;
@@ -43,20 +63,21 @@ struct ChunkWork {
   ChunkHelp* help = nullptr;
 };
 
-using ChunkSink = std::function<void(const std::shared_ptr<Chunk>&)>;
+/// Gets complete chunks in index order; false if no more are wanted.
+using TakeChunk = std::function<bool(Chunk&)>;
 
 /// The chunks of an ensemble: threads take, decide and hand them in; they are passed on in index order. Thread-safe.
 class ChunkQueue {
  public:
-  /// Starts first .. limit - 1, or fewer once `finished` or `lost` is set.
-  ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
-             std::atomic<bool>& lost, const ChunkSink& sink);
+  /// Starts first .. limit - 1.
+  ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const TakeChunk& take);
 
   /// Takes a chunk, decides it and hands it in. False if there is no chunk now or, with `wait`, if no more will come.
   /// An exception from deciding ends the work of all threads.
   bool work_off(bool wait);
 
-  bool passed_all() const { return passed_ >= limit_; }
+  /// Whether all were passed on, or as many as were wanted.
+  bool done() const { return finished_ || (whole_ && passed_ >= limit_); }
 
  private:
   std::shared_ptr<Chunk> take(bool wait);
@@ -66,9 +87,7 @@ class ChunkQueue {
 
   const ChunkWork& work_;
   const std::uint64_t limit_;
-  const std::atomic<bool>& finished_;
-  std::atomic<bool>& lost_;
-  const ChunkSink& sink_;
+  const TakeChunk& take_;
   ChunkSize size_;
   const std::size_t most_open_;
 
@@ -77,16 +96,12 @@ class ChunkQueue {
   std::uint64_t next_, passed_;                              // index of the next start to hand out; starts passed on
   std::size_t out_ = 0;                                      // chunks handed out
   std::map<std::uint64_t, std::shared_ptr<Chunk>> decided_;  // waiting for earlier chunks
-  bool passing_ = false;
+  bool passing_ = false, whole_ = true;                      // whole: all chunks so far were complete
+  std::atomic<bool> finished_{false}, lost_{false};          // no more wanted; no more to be had
 };
 
-/// Decides starts first .. limit - 1, or fewer once `finished` or `lost` is set. `sink` gets the chunks in order. Sets
-/// `lost` if it ends before the limit without `finished`.
-void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
-                    std::atomic<bool>& lost, const ChunkSink& sink);
-
-/// Decides starts 0 .. count - 1 and hands the chunks over in order. A stop ends that at the first one that is not
-/// complete. False if not all were handed over.
-bool take_chunks(const ChunkWork& work, std::uint64_t count, const std::function<void(Chunk&)>& take);
+/// Decides starts first .. limit - 1 and passes their chunks on. A stop ends that at the first one that is not
+/// complete: false.
+bool take_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const TakeChunk& take);
 
 }  // namespace equipoise

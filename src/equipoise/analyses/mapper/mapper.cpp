@@ -65,11 +65,13 @@ std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, co
   return reported(options, [&](const RunOptions& o) {
     const auto decide = [&](Chunk& c) { return state_->session.decide({&starts[c.first], c.count}, c); };
     std::vector<Fate> fates;
-    take_chunks({.decide = decide, .threads = thread_count(o.threads), .stop = o.stop}, starts.size(), [&](Chunk& c) {
-      state_->settle(c);
-      fates.insert(fates.end(), c.fates.begin(), c.fates.end());
-      if (o.progress) o.progress({fates.size(), starts.size(), "starts", {}});
-    });
+    take_chunks({.decide = decide, .threads = thread_count(o.threads), .stop = o.stop}, 0, starts.size(),
+                [&](Chunk& c) {
+                  state_->settle(c);
+                  fates.insert(fates.end(), c.fates.begin(), c.fates.end());
+                  if (o.progress) o.progress({fates.size(), starts.size(), "starts", {}});
+                  return true;
+                });
     return fates;
   });
 }

@@ -29,7 +29,10 @@ class PickFreeze {
     const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(chunk); },
                          .threads = thread_count(options_.threads),
                          .stop = options_.stop};
-    take_chunks(work, options_.rows, [&](Chunk& chunk) { take(chunk); });
+    take_chunks(work, 0, options_.rows, [&](Chunk& chunk) {
+      take(chunk);
+      return true;
+    });
     result_.rows = rows_.rows();
     result_.evaluations = rows_.outcomes.size();
     result_.partial = result_.rows < options_.rows;

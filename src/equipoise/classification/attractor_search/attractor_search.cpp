@@ -11,7 +11,6 @@
 #include "equipoise/attractors/motions/motion_bytes.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
 #include "equipoise/classification/attractor_search/search.hpp"
-#include "equipoise/classification/attractor_search/search_regions.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"

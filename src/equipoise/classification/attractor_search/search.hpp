@@ -1,9 +1,10 @@
 // One attractor search: what its parts share, and the parts, a file each (search_regions.cpp, balanced_levels.cpp,
-// balance_box.cpp, search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
+// search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
 #pragma once
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@
 #include "equipoise/classification/attractor_search/pilot_run.hpp"
 #include "equipoise/classification/rotor_family/drawn_source.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
+#include "equipoise/classification/trapping_regions/orbit_region.hpp"
+#include "equipoise/classification/trapping_regions/region_rule.hpp"
+#include "equipoise/classification/trapping_regions/stalled_region.hpp"
+#include "equipoise/classification/trapping_regions/window_region.hpp"
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
@@ -143,5 +149,40 @@ Features of_middle(const Search& search, const Candidate& c, const Features& f, 
 
 /// For a coasting rotor: each start finds its own final speed, and with it the motions that it can come to.
 AttractorSearch discover_coasting(const Study& study, const StopFlag* stop);
+
+/// The trapping regions of a search, made as motions are found.
+class SearchRegions {
+ public:
+  explicit SearchRegions(Search& search) : s_(search) {}
+
+  /// Analyses and lists the balanced states, and makes the first rule with their trapping regions. Where rotors differ,
+  /// draws those for trials.
+  void find_balanced();
+  /// Around a motion that each rotor has in its own place, as one rotor was found to have it.
+  void add_of_candidate(const Candidate& c);
+  /// Around the last listed motion; where rotors differ, around the middle's, if it has that one.
+  void add_listed(const Attractor& a);
+  /// Hands the regions to the rule.
+  void set_rule();
+  /// Proves or widens the levels of the balanced trapping regions.
+  void level_balanced();
+
+ private:
+  void draw_rotors(BalancedAnalysis& balanced);
+  void balance_of_some();
+  void list_member(const std::optional<ContinuumPart>& part);
+  void find_stalled();
+  bool worth_a_region(const Motion& motion, int id) const;
+  void add(const Motion& motion, int id);
+  bool add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own = nullptr);
+  void add_torus(const Motion& motion, int id);
+
+  Search& s_;
+  OrbitRegions cycles_;
+  std::vector<std::shared_ptr<const WindowRegion>> windowed_;
+  std::optional<ContinuumRegion> continuum_;
+  std::optional<StalledRegion> stalled_;
+  std::map<int, int> without_;  // by attractor: motions for which no region was found
+};
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // Makes trapping regions: around balance first, then around each listed motion, by the kind that suits it.
-#include "equipoise/classification/attractor_search/search_regions.hpp"
+#include "equipoise/classification/attractor_search/search.hpp"
 
 #include <algorithm>
 #include <iterator>

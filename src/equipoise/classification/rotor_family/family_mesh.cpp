@@ -94,7 +94,7 @@ class MeshMaker {
     const model::System middle = family_.at(family_.values_at(box.centre())).system();
     AttractorSearch found = search_attractors(family_, box, settings);
     if (found.stopped) return std::nullopt;
-    Tried result{{box, middle, std::move(found), {}}, {}};
+    Tried result{{box, std::move(found), {}}, {}};
     if (SearchPlan(middle, settings, true).balance_alone) return result;
     NotePage notes(settings_.notes, "judging\n" + search_key(box, settings));
     result.judgement = notes.answer("cost", settings_.stop, [&] { return judge(result.cell); });

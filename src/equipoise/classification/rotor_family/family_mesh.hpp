@@ -14,7 +14,6 @@ namespace equipoise {
 
 struct FamilyCell {
   FamilyBox box;
-  model::System middle;
   AttractorSearch search;
   /// Identifiers in the mesh's catalogue, by those in its own; empty if they are the same.
   std::vector<int> ids;

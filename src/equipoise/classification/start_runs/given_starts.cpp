@@ -2,6 +2,8 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,60 +26,37 @@ constexpr Quantity rotor[] = {{"psi", &InitialState::psi},
                               {"x_dot", &InitialState::x_dot},
                               {"y_dot", &InitialState::y_dot}};
 
-class GivenStart {
- public:
-  GivenStart(const Study& study, const InitialState& state, std::size_t number)
-      : study_(study), s_(state), number_(number) {}
-
-  void check() const {
-    check_numbers();
-    const InitialState& common = study_.initial;
-    const bool clamped = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
-    if (prescribed && model::depends_on_rotor_angle(study_.parameters))
-      require("psi", s_.psi, common.psi, "where the rotor turns as prescribed, and its angle matters");
-    if (clamped && prescribed)
-      for (const Quantity& q : std::span(rotor).subspan(1))
-        require(q.key, s_.*q.value, common.*q.value, "where the rotor turns as prescribed until the balls are let go");
-    for (int i = 0; clamped && i < study_.parameters.balls; ++i)
-      if (s_.phi_dot[i] != 0.0)
-        fail("phi_dot", s_.phi_dot[i], "must be 0: the balls are clamped until their release", i);
-    if (overlap(study_.parameters, s_.phi.data()))
-      fail("phi", s_.phi[0],
-           fmt::format("balls overlap; must be at least {} rad apart, as balls are that touch",
-                       study_.parameters.contact_angle));
-  }
-
- private:
-  void check_numbers() const {
-    for (const Quantity& q : rotor) finite(q.key, s_.*q.value);
-    for (int i = 0; i < model::max_balls; ++i) {
-      finite("phi", s_.phi[i], i);
-      finite("phi_dot", s_.phi_dot[i], i);
-      if (i < study_.parameters.balls) continue;
-      absent("phi", s_.phi[i], i);
-      absent("phi_dot", s_.phi_dot[i], i);
+void check_start(const Study& study, const InitialState& s, std::size_t number) {
+  const model::Parameters& p = study.parameters;
+  constexpr int of_rotor = -1;
+  const auto require = [&](bool holds, const char* key, int ball, double value, const char* problem,
+                           const auto&... values) {
+    if (holds) return;
+    const std::string of_ball = ball == of_rotor ? "" : fmt::format("[{}]", ball);
+    throw InputError(fmt::format("start {}", number), fmt::format("initial.{}{}", key, of_ball),
+                     fmt::format("{}", value), fmt::format(fmt::runtime(problem), values...));
+  };
+  const auto as_common = [&](const Quantity& q, const char* why) {
+    const double common = study.initial.*q.value;
+    require(s.*q.value == common, q.key, of_rotor, s.*q.value, "must be {}, as in [initial], {}", common, why);
+  };
+  for (const Quantity& q : rotor)
+    require(std::isfinite(s.*q.value), q.key, of_rotor, s.*q.value, "must be a finite number");
+  for (int i = 0; i < model::max_balls; ++i)
+    for (const auto& [key, value] : {std::pair{"phi", s.phi[i]}, std::pair{"phi_dot", s.phi_dot[i]}}) {
+      require(std::isfinite(value), key, i, value, "must be a finite number");
+      require(i < p.balls || value == 0.0, key, i, value, "must be 0: the study has {} balls", p.balls);
     }
-  }
-
-  [[noreturn]] void fail(const char* key, double value, const std::string& problem, int ball = -1) const {
-    const std::string of_ball = ball < 0 ? "" : fmt::format("[{}]", ball);
-    throw InputError(fmt::format("start {}", number_), fmt::format("initial.{}{}", key, of_ball),
-                     fmt::format("{}", value), problem);
-  }
-  void finite(const char* key, double value, int ball = -1) const {
-    if (!std::isfinite(value)) fail(key, value, "must be a finite number", ball);
-  }
-  void absent(const char* key, double value, int ball) const {
-    if (value != 0.0) fail(key, value, fmt::format("must be 0: the study has {} balls", study_.parameters.balls), ball);
-  }
-  void require(const char* key, double value, double common, const char* why) const {
-    if (value != common) fail(key, value, fmt::format("must be {}, as in [initial], {}", common, why));
-  }
-
-  const Study& study_;
-  const InitialState& s_;
-  std::size_t number_;
-};
+  const bool clamped = study.release_time() > 0.0, prescribed = !study.speed.driven();
+  if (prescribed && model::depends_on_rotor_angle(p))
+    as_common(rotor[0], "where the rotor turns as prescribed, and its angle matters");
+  for (std::size_t k = 1; clamped && prescribed && k < std::size(rotor); ++k)
+    as_common(rotor[k], "where the rotor turns as prescribed until the balls are let go");
+  for (int i = 0; clamped && i < p.balls; ++i)
+    require(s.phi_dot[i] == 0.0, "phi_dot", i, s.phi_dot[i], "must be 0: the balls are clamped until their release");
+  require(!overlap(p, s.phi.data()), "phi", of_rotor, s.phi[0],
+          "balls overlap; must be at least {} rad apart, as balls are that touch", p.contact_angle);
+}
 
 }  // namespace
 
@@ -88,7 +67,7 @@ void check_takes_starts(const Study& study) {
 }
 
 void check_given_starts(const Study& study, std::span<const InitialState> given) {
-  for (std::size_t i = 0; i < given.size(); ++i) GivenStart(study, given[i], i).check();
+  for (std::size_t i = 0; i < given.size(); ++i) check_start(study, given[i], i);
 }
 
 std::string checksum_of(const Study& study, std::span<const InitialState> given) {

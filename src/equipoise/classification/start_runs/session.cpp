@@ -21,7 +21,7 @@ FamilyMesh mesh_of_one(const Study& study, const AttractorSearchSettings& settin
   AttractorSearch found = search_attractors(study, settings);
   mesh.catalogue = found.catalogue;
   mesh.stopped = found.stopped;
-  mesh.cells.push_back({{}, study.system(), std::move(found), {}});
+  mesh.cells.push_back({{}, std::move(found), {}});
   return mesh;
 }
 
