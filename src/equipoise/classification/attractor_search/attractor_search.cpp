@@ -38,7 +38,7 @@ class Discoverer {
     if (!s_.pilot.make()) return stopped();
     for (OwnRotor& rotor : s_.pilot.rotors()) s_.result.place(rotor);
     if (!follow_pilot(s_.pilot.scouts())) return stopped();
-    if (!list_found(few || is_warm() ? WarmStartStates::listed : WarmStartStates::new_ones)) return stopped();
+    if (!list_found(!few && !is_warm())) return stopped();
     if (few) {
       if (s_.study.numerics.decide == ClassificationMode::proof) regions_.level_balanced();
       return finished();
@@ -49,11 +49,11 @@ class Discoverer {
     if (!scouts_suffice(s_)) {
       if (!follow_pilot(s_.pilot.size())) return stopped();
       // Where rotors differ, the scouts show little of the others, and an unnamed motion bars every box.
-      if (s_.drawn && !list_found(WarmStartStates::listed)) return stopped();
+      if (s_.drawn && !list_found()) return stopped();
       audit_boxes(s_, found_);
     }
     regions_.level_balanced();
-    if (!list_found(WarmStartStates::listed)) return stopped();
+    if (!list_found()) return stopped();
     return finished();
   }
 
@@ -80,20 +80,19 @@ class Discoverer {
     return s_.pilot.follow(count, s_.result.rule, horizon, s_.settings.threads, s_.settings.stop, s_.stages, s_.notes);
   }
 
-  enum class WarmStartStates { listed, new_ones };
-
-  // Lists the motions that the pilot came to and the rule cannot name. Stationary ones come first: most wandering
-  // trajectories look like one of them, as tori that had not repeated yet, and need not be followed.
-  bool list_found(WarmStartStates warm_start_states) {
+  // Lists the motions that the pilot came to and the rule cannot name, and, `with_given`, those of known states.
+  // Stationary ones come first: most wandering trajectories look like one of them, as tori that had not repeated yet,
+  // and need not be followed.
+  bool list_found(bool with_given = false) {
     find_candidates();
+    if (with_given) {
+      add_warm_start_states();
+      add_equilibria();
+    }
     const auto wandering =
         std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.stationary; });
     std::vector<Candidate> later(wandering, candidates_.end());
     candidates_.erase(wandering, candidates_.end());
-    if (warm_start_states == WarmStartStates::new_ones) {
-      add_warm_start_states();
-      add_equilibria();
-    }
     if (!refine_and_list()) return false;
     found_ = std::move(candidates_);
     candidates_.clear();
@@ -181,10 +180,14 @@ class Discoverer {
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (fates[k].attractor == 0)
         unknown.push_back(std::move(candidates_[k]));
-      else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k])) {
-        candidates_[k].attractor = known->attractor;
-        candidates_[k].trend = known->trend;
-        add_known(candidates_[k], known->chaotic);
+      else if (const Attractor* a = s_.result.catalogue.find(fates[k].attractor)) {
+        Candidate& c = candidates_[k];
+        // As well as two windows of that attractor agree.
+        const KnownFeatures* known = s_.looks_like(c.features, c.own, agreement(a->motion.kind), a->id);
+        if (!known) continue;
+        c.attractor = known->attractor;
+        c.trend = known->trend;
+        add_known(c, known->chaotic);
       }
     }
     candidates_ = std::move(unknown);
@@ -192,21 +195,15 @@ class Discoverer {
 
   const model::System& system_of(const Candidate& c) const { return c.own ? c.own->system : s_.system; }
 
-  // The attractor's entry that the candidate agrees with, as well as two windows of that attractor agree; null if none.
-  const KnownFeatures* looks_of(int attractor, const Candidate& c) const {
-    const Attractor* a = s_.result.catalogue.find(attractor);
-    for (const KnownFeatures& k : s_.result.rule.known)
-      if (a && k.attractor == attractor &&
-          same_motion(k.features, brought_back(c.features, k.trend, shifts_of(c.own), s_.balls()), s_.balls(),
-                      agreement(a->motion.kind)))
-        return &k;
-    return nullptr;
+  void add_state(const Eigen::VectorXd& state) {
+    Candidate& c = candidates_.emplace_back();
+    c.state = state;
+    c.stationary = true;
   }
 
   void add_warm_start_states() {
     for (const std::vector<double>& seed : s_.settings.warm_start_states)
-      candidates_.push_back(
-          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
+      add_state(Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())));
   }
 
   // Of a rotor that tilts, which has many: races off centre while others are centred attract few starts.
@@ -214,7 +211,7 @@ class Discoverer {
     constexpr int arrangements = 200;
     if (!s_.system.tilts() || !s_.system.autonomous() || !s_.system.prescribed() || s_.drawn) return;
     for (const Equilibrium& e : unbalanced_equilibria(s_.system, arrangements, s_.settings.stop))
-      if (attracts(e.eigenvalues, free_angles(s_.system, e.state))) candidates_.push_back({{}, {}, {}, e.state});
+      if (attracts(e.eigenvalues, free_angles(s_.system, e.state))) add_state(e.state);
   }
 
   // A neighbour's motions come first. Their trapping regions or looks then decide most of the pilot, and only the rest

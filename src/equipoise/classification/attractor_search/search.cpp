@@ -160,6 +160,14 @@ const KnownFeatures* Search::known_as(const Features& f, const OwnRotor* own) co
   return nearest_known(f, result.rule.known, balls(), shifts_of(own));
 }
 
+const KnownFeatures* Search::looks_like(const Features& f, const OwnRotor* own, double tolerance, int attractor) const {
+  for (const KnownFeatures& k : result.rule.known)
+    if ((attractor == 0 || k.attractor == attractor) &&
+        same_motion(k.features, brought_back(f, k.trend, shifts_of(own), balls()), balls(), tolerance))
+      return &k;
+  return nullptr;
+}
+
 bool Search::shows_balance(std::size_t i) const {
   const PilotRecord& record = pilot.records()[i];
   return balance_box && record.finished_window && inside(*balance_box, record.features, balls());

@@ -97,6 +97,8 @@ struct Search {
 
   /// The known motion that looks like this, or null. `own`: the rotor that shows it, or null.
   const KnownFeatures* known_as(const Features& f, const OwnRotor* own) const;
+  /// The first known entry, or that of one attractor, that looks the same up to a tolerance; or null.
+  const KnownFeatures* looks_like(const Features& f, const OwnRotor* own, double tolerance, int attractor = 0) const;
   bool shows_balance(std::size_t i) const;
 
   const Study& study;

@@ -36,15 +36,6 @@ FeatureBox range_of(const Search& s, const Candidate& c) {
   return range;
 }
 
-// Modulated by the rotor, a torus has one frequency more.
-int loosely_known(const ClassificationRule& rule, const Features& features, const double* shifts) {
-  for (const KnownFeatures& known : rule.known)
-    if (same_motion(known.features, brought_back(features, known.trend, shifts, rule.balls), rule.balls,
-                    torus_grouping))
-      return known.attractor;
-  return 0;
-}
-
 // A torus or chaos may not repeat within the pilot's time, but its last long window identifies it.
 void name_undecided(Search& s, const std::vector<Candidate>& found) {
   for (const Candidate& c : found)
@@ -58,8 +49,10 @@ void name_undecided(Search& s, const std::vector<Candidate>& found) {
       s.pilot.name(i, balanced_id);
     else if (const KnownFeatures* known = s.known_as(features, own))
       s.pilot.name(i, known->attractor);
-    else if (!s.system.autonomous())
-      s.pilot.name(i, loosely_known(s.result.rule, features, shifts_of(own)));
+    else if (!s.system.autonomous()) {  // modulated by the rotor, a torus has one frequency more
+      const KnownFeatures* torus = s.looks_like(features, own, torus_grouping);
+      s.pilot.name(i, torus ? torus->attractor : 0);
+    }
   }
 }
 

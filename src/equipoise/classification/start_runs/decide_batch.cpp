@@ -147,7 +147,7 @@ std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open)
   const double patience = own_.empty() ? followed_for(s_.system_, s_.mode_) : open ? a_look : lasting_chaos;
   std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(i)
                                        : few()            ? unlisted_of_few(i, now)
-                                                          : unlisted(i, now, patience);
+                                                          : followed(i, now, patience);
   if (!start) return start;
   // Few starts are not all followed.
   if (!start->motion && !few() && is_in_chaos(i, start->state, now + patience)) {
@@ -198,7 +198,7 @@ TransientRow Session::Batch::row(std::size_t i, const std::optional<MotionFigure
 }
 
 // `patience` applies to a start with a rotor of its own.
-std::optional<UnlistedStart> Session::Batch::unlisted(std::size_t i, double now, double patience) const {
+std::optional<UnlistedStart> Session::Batch::followed(std::size_t i, double now, double patience) const {
   const std::vector<double> state = when_recognised(i, now);
   std::optional<UnlistedStart> start;
   if (own_.empty()) {
@@ -228,7 +228,7 @@ std::optional<UnlistedStart> Session::Batch::unlisted_of_few(std::size_t i, doub
   if (!s_.system_.smooth() && !s_.system_.coasts())
     return UnlistedStart{i, when_recognised(i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
   if (came_to_.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(i, now), {}};
-  const std::optional<UnlistedStart> start = unlisted(i, now, 0.0);
+  const std::optional<UnlistedStart> start = followed(i, now, 0.0);
   if (!start) return start;
   if (record.finished_window)
     looks_.push_back({.features = record.features,

@@ -143,7 +143,7 @@ bool Session::Batch::meet(std::size_t i, MetMotions& met) const {
   const PilotRecord& record = (*records_)[i];
   if (!record.finished_window) return false;
   if (nearest_met(record.features, met.known, s_.system_.balls(), cell(i).search.rule.sameness)) return true;
-  const std::optional<UnlistedStart> start = unlisted(i, fates_[i].time, lasting_chaos);
+  const std::optional<UnlistedStart> start = followed(i, fates_[i].time, lasting_chaos);
   if (!start || !start->motion || !start->motion->stable) return false;
   if (start->motion->set_valued) return true;  // each ball held by dry friction stays in its own place
   met.motions.push_back(*start->motion);
