@@ -20,7 +20,6 @@
 #include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/analyses/sweeps/sweep_cell.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"

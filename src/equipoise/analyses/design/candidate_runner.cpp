@@ -1,18 +1,27 @@
 // Each ensemble from the same starts; searches begin with what the study's had.
-#include "equipoise/analyses/design/candidate_runner.hpp"
+#include "equipoise/analyses/design/ensembles.hpp"
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/design/settings.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
+#include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 
@@ -40,7 +49,32 @@ StudyValue without_lines(const StudyValue& value) {
   return plain;
 }
 
-}  // namespace
+class CandidateRunner {
+ public:
+  /// Searches the study as it is.
+  CandidateRunner(const DesignProblem& problem, const RunOptions& options);
+
+  /// None if stopped. Thread-safe.
+  std::optional<DesignSample> run(const WantedSample& wanted, const BlockWorkers& workers);
+
+ private:
+  // What a thread keeps of the final speeds it has met.
+  struct Met {
+    AttractorSearchCache searches;
+    std::map<std::string, bool> balances;  // by attractor_search_subject(): whether a balanced state attracts
+  };
+  bool stopped() const { return is_set(options_.stop); }
+  bool balances(const Study& study, Met& met) const;
+  std::optional<DesignSample> run(const WantedSample& wanted, const BlockWorkers& workers, Met& met) const;
+
+  const DesignProblem& problem_;
+  const RunOptions& options_;
+  // Of the study as it is: where the searches of all candidates begin.
+  std::vector<std::vector<double>> warm_start_states_;
+  WarmStartLevels warm_start_levels_;
+  std::mutex taking_;
+  std::vector<std::unique_ptr<Met>> free_;
+};
 
 // The study's search is made anew by every run: what a file keeps are answers. Rotors that each start draws have
 // searches of their own.
@@ -68,19 +102,20 @@ bool CandidateRunner::balances(const Study& study, Met& met) const {
   return stable;
 }
 
-std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int threads) {
+std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, const BlockWorkers& workers) {
   std::unique_lock lock(taking_);
   if (free_.empty()) free_.push_back(std::make_unique<Met>());
   std::unique_ptr<Met> met = std::move(free_.back());
   free_.pop_back();
   lock.unlock();
-  std::optional<DesignSample> sample = run(wanted, threads, *met);
+  std::optional<DesignSample> sample = run(wanted, workers, *met);
   lock.lock();
   free_.push_back(std::move(met));
   return sample;
 }
 
-std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int threads, Met& met) const {
+std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, const BlockWorkers& workers,
+                                                 Met& met) const {
   std::optional<Study> study;
   try {
     study = problem_.study_of(wanted.settings, wanted.starts, wanted.seed);
@@ -98,8 +133,11 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   if (met.searches.made.size() > most_attractor_searches) met.searches.made.clear();
   if (met.balances.size() > most_attractor_searches) met.balances.clear();
   BasinOptions run;
-  run.threads = threads;
+  run.threads = workers.threads;
+  if (workers.idle) run.search_threads = workers.threads + workers.idle();
+  run.help = workers.help;
   run.stop = options_.stop;
+  run.stop_asked = options_.stop_asked;
   run.transients = problem_.transients();
   run.without_balls = false;
   run.keep_starts = true;
@@ -117,15 +155,6 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   return sample_of(problem_.figures(), result, *study, wanted.settings);
 }
 
-CellRecord record_of(const WantedSample& wanted) {
-  StudyValue tree{{"ensemble", {{"starts", wanted.starts}, {"seed", wanted.seed}, {"whole", wanted.whole}}}};
-  for (std::size_t k = 0; k < wanted.settings.size(); ++k)
-    tree.set(fmt::format("setting_{:02}", k),
-             StudyValue{{"key", wanted.settings[k].key}, {"value", wanted.settings[k].value}});
-  const std::string text = study::toml_text(tree);
-  return {text.begin(), text.end()};
-}
-
 WantedSample wanted_from(const CellRecord& record) {
   const StudyValue tree = study::parse_toml(std::string(record.begin(), record.end()));
   const auto number = [&](const char* key) { return static_cast<std::uint64_t>(*tree.find_path(key)->integer()); };
@@ -137,13 +166,28 @@ WantedSample wanted_from(const CellRecord& record) {
   return wanted;
 }
 
-Survey candidate_survey(const std::shared_ptr<CandidateRunner>& runner) {
-  return [runner](std::size_t number, const BlockWorkers& workers) {
-    const CellRecord asked = workers.known(number);
-    const auto made = asked.empty() ? std::nullopt : runner->run(wanted_from(asked), workers.threads);
-    if (made) workers.deliver(number, io::bytes_of(KeptSample{"", *made}));
-    return made.has_value();
-  };
+}  // namespace
+
+std::string WantedSample::name() const {
+  return fmt::format("{} starts, seed {}{}: {}", starts, seed, whole ? ", whole search" : "", text_of(settings));
+}
+
+CellRecord WantedSample::record() const {
+  StudyValue tree{{"ensemble", {{"starts", starts}, {"seed", seed}, {"whole", whole}}}};
+  for (std::size_t k = 0; k < settings.size(); ++k)
+    tree.set(fmt::format("setting_{:02}", k), StudyValue{{"key", settings[k].key}, {"value", settings[k].value}});
+  const std::string text = study::toml_text(tree);
+  return {text.begin(), text.end()};
+}
+
+Survey candidate_survey(const DesignProblem& problem, const RunOptions& options) {
+  return
+      [runner = std::make_shared<CandidateRunner>(problem, options)](std::size_t number, const BlockWorkers& workers) {
+        const CellRecord asked = workers.known(number);
+        const auto made = asked.empty() ? std::nullopt : runner->run(wanted_from(asked), workers);
+        if (made) workers.deliver(number, io::bytes_of(KeptSample{"", *made}));
+        return made.has_value();
+      };
 }
 
 }  // namespace equipoise

@@ -59,13 +59,13 @@ class DesignRun {
 
   DesignResult run() {
     const RunClock clock;
+    KeptSamples kept;
     if (!options_.output.empty())
-      file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
+      file_ = io::open_design_file(options_.output, result_.identity, most_ensembles(), kept);
     if (file_) give_notice(options_, file_->loss());
-    ensembles_ =
-        std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers, options_.search_time_over);
+    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), std::move(kept));
     find();
-    ensembles_->end();
+    ensembles_->close();
     result_.trajectories = ensembles_->trajectories();
     result_.resumed = ensembles_->resumed();
     leave_out();
@@ -76,7 +76,8 @@ class DesignRun {
       result_.best_study = to_toml(problem_.tree_of(best.changes()));
     }
     result_.took(clock.time());
-    if (file_ && !result_.partial) file_->finish(result_);
+    if (file_ && !result_.partial)
+      io::finish_design_file(*file_, result_, most_ensembles(), ensembles_->kept_samples());
     return std::move(result_);
   }
 
@@ -304,7 +305,7 @@ class DesignRun {
   DesignStanding standing_;
   DesignCandidate own_;  // the study itself, as the search knows it
   DesignResult result_;
-  std::unique_ptr<DesignFile> file_;
+  std::unique_ptr<io::CellFile> file_;
   std::unique_ptr<DesignEnsembles> ensembles_;
   std::string best_words_;
 };
@@ -312,7 +313,7 @@ class DesignRun {
 }  // namespace
 
 Survey design_survey(const DesignProblem& problem, const DesignOptions& options) {
-  return candidate_survey(std::make_shared<CandidateRunner>(problem, options));
+  return candidate_survey(problem, options);
 }
 
 DesignResult design(const DesignProblem& problem, const DesignOptions& options) {

@@ -2,90 +2,80 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
-#include <future>
 #include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "equipoise/analyses/design/candidate_runner.hpp"
-#include "equipoise/analyses/design/problem.hpp"
-#include "equipoise/analyses/sweeps/survey.hpp"
-#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/analyses/design/design.hpp"
+#include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/results/cell_files/design_file.hpp"
-#include "equipoise/results/commands/design_result.hpp"
 
 namespace equipoise {
 
+/// An ensemble that is wanted.
+struct WantedSample {
+  std::vector<DesignSetting> settings;
+  std::uint64_t starts = 0, seed = 0;
+  bool whole = false;  ///< with a whole search for attractors, not a first look's
+
+  std::string name() const;
+  CellRecord record() const;
+};
+
+/// A block is a question: what is known of it is what is wanted, what is made of it the ensemble (KeptSample,
+/// unnamed). Searches the study as it is before it returns.
+Survey candidate_survey(const DesignProblem& problem, const RunOptions& options);
+
 /// What a design's search asks is asked again in the same order by another run of it: the number of a question names
 /// its answer in the file. One thread asks; other processes may help to answer.
-class DesignEnsembles final : public SurveyWork {
+class DesignEnsembles final : public SurveyRun {
  public:
-  /// `file`: what an earlier run kept, or null.
-  DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
-                  const SurveyHelpers& helpers = {}, std::function<bool()> search_time = {});
-  ~DesignEnsembles() override;
+  /// `file` and `kept`: what an earlier run kept.
+  DesignEnsembles(const DesignProblem& problem, const DesignOptions& options, io::CellFile* file = nullptr,
+                  KeptSamples kept = {});
+  ~DesignEnsembles() override { dismiss(); }
 
   /// Results in the order of `wanted`; candidates run in parallel and share the threads. Throws SearchOver if stopped;
-  /// finished samples are kept, see known().
+  /// finished samples are kept, see sample().
   std::vector<DesignSample> run(const std::vector<WantedSample>& wanted);
-  /// Nothing more is asked: helpers go home.
-  void end();
+  using SurveyRun::close;
+  using SurveyRun::stopped;
 
   /// An earlier sample of it, or null.
-  const DesignSample* known(const WantedSample& wanted) const;
+  const DesignSample* sample(const WantedSample& wanted) const;
+  /// All, with those of the file.
+  const KeptSamples& kept_samples() const { return kept_; }
 
   std::uint64_t trajectories() const { return trajectories_; }  ///< trajectories followed, including earlier runs
   std::uint64_t resumed() const { return resumed_; }
-  bool stopped() const { return is_set(options_.stop); }
   /// From now on only the stop flag ends the work: the search is over.
-  void after_search();
+  void after_search() { searching_ = false; }
   /// Whether the search has had its time. It has not before something is known: without a candidate the rest of the
   /// time would be of no use.
   bool out_of_time() const { return searching_ && some_known_ && search_time_ && search_time_(); }
 
   std::optional<std::size_t> next_block() override;
-  CellRecord known(std::size_t number) const override;
-  void deliver(std::size_t number, const CellRecord& made) override;
-  bool idle() const override { return over_; }
 
  private:
-  void watch_time();
-  void end_clock();
-  void work_off(std::size_t missing);
-  void fail(std::exception_ptr thrown);
+  CellRecord record(std::size_t number) const override;
+  CellRecord take(std::size_t number, const CellRecord& made) override;
+  bool all_answered() const;
 
-  const RunOptions& options_;
-  DesignFile* file_;
   std::function<bool()> search_time_;
-  // What a running candidate heeds: also set when the search has had its time, so that one costly candidate cannot take
-  // the time of the checks as well.
-  StopFlag cut_{false};
+  // For candidates: they also end when the search has had its time, so that one costly candidate cannot take the time
+  // of the checks as well.
   RunOptions candidate_options_;
   std::atomic<bool> searching_{true}, some_known_{false};
-  std::atomic<bool> over_{false};
-  std::thread clock_;
-  int threads_;
-  Survey survey_;
-  std::map<std::string, DesignSample> known_;
+  KeptSamples kept_;
+  std::map<std::string, DesignSample> samples_;  // by name
   std::uint64_t trajectories_ = 0, resumed_ = 0;
-
-  mutable std::mutex taking_;
-  std::condition_variable answered_;
   std::uint64_t asked_ = 0;  // before these:
   std::vector<WantedSample> batch_;
   std::vector<std::optional<DesignSample>> answers_;
-  std::size_t next_ = 0;
-  std::exception_ptr failure_;  // the first, of threads or of helpers
-  std::future<void> helpers_;
 };
 
 }  // namespace equipoise

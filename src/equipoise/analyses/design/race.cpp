@@ -40,7 +40,7 @@ void Race::look(const std::vector<std::size_t>& places, std::uint64_t starts) {
   for (const std::size_t k : places) wanted.push_back({candidates_[k].changes(), starts, seed_});
   const auto take = [&] {
     for (std::size_t k = 0; k < places.size(); ++k)
-      if (const DesignSample* sample = ensembles_.known(wanted[k])) candidates_[places[k]].search = *sample;
+      if (const DesignSample* sample = ensembles_.sample(wanted[k])) candidates_[places[k]].search = *sample;
   };
   try {
     ensembles_.run(wanted);

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +15,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/analyses/sweeps/sweep_cell.hpp"
 #include "equipoise/analyses/sweeps/varied_unbalance.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
@@ -132,11 +129,11 @@ class Boundary {
       made.unstable = true;
       return is_set(workers_->stop) ? std::nullopt : std::optional(made);
     }
-    CellStart start;
-    if (const auto* near = nearest(value)) start.warm_start_states = near->states;
-    start.warm_start = !start.warm_start_states.empty();
+    BasinOptions options = plan_.ensemble(*workers_);
+    if (const auto* near = nearest(value)) options.warm_start_states = near->states;
+    options.warm_start = !options.warm_start_states.empty();
     Catalogue catalogue;
-    const BasinResult result = cell_ensemble(plan_, start, study, *workers_, nullptr, catalogue, nullptr);
+    const BasinResult result = basin(study, options, &catalogue);
     if (result.partial) return std::nullopt;
     made.balanced = asked_share(result, options_.by);
     made.undecided = result.undecided;
@@ -229,9 +226,9 @@ class CapacityRun final : public SurveyRun {
     std::vector<std::size_t> missing;
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       if (!find(cell)) missing.push_back(cell);
-    const std::exception_ptr failure =
-        work(capacity_survey(plan_, options_), missing, file_ ? &file_->notes() : nullptr, options_.helpers);
-    if (failure) std::rethrow_exception(failure);  // what is done is kept beside the output
+    open(capacity_survey(plan_, options_), file_.get(), options_.helpers);
+    work(missing);
+    close();
     for (const std::size_t cell : begun())
       if (!result_.cells[cell]) {
         Boundary boundary(plan_, options_, cell, known_[cell], nullptr);
@@ -243,21 +240,20 @@ class CapacityRun final : public SurveyRun {
     return std::move(result_);
   }
 
-  CellRecord known(std::size_t cell) const override {
-    const std::lock_guard guard(taking_);
+ private:
+  CellRecord record(std::size_t cell) const override {
     return known_[cell].empty() ? CellRecord{} : io::bytes_of(known_[cell]);
   }
 
-  void deliver(std::size_t cell, const CellRecord& made) override {
+  CellRecord take(std::size_t cell, const CellRecord& made) override {
     const auto trials = io::trials_from(made);
-    const std::lock_guard guard(taking_);
     result_.trials += trials.size();
-    if (file_) file_->append(cell, made);
     known_[cell].insert(known_[cell].end(), trials.begin(), trials.end());
-    find(cell);
+    return made;
   }
 
- private:
+  void kept(std::size_t cell) override { find(cell); }
+
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       for (const double part : {0.0, 1.0 / scan, 1.0}) {  // between the ends, a key of whole numbers shows itself
@@ -281,7 +277,6 @@ class CapacityRun final : public SurveyRun {
   std::unique_ptr<io::CellFile> file_;
   std::vector<std::vector<CapacityTrial>> known_;
   std::uint64_t done_ = 0;
-  mutable std::mutex taking_;
 };
 
 }  // namespace

@@ -13,44 +13,70 @@ namespace equipoise {
 SurveyRun::SurveyRun(const RunOptions& options) : threads_(thread_count(options.threads)), stop_(options.stop) {}
 
 std::optional<std::size_t> SurveyRun::next_block() {
-  if (stopped()) return std::nullopt;  // without counting a block as begun
-  const std::size_t next = next_++;
-  if (next >= blocks_.size()) return std::nullopt;
-  return blocks_[next];
+  const std::lock_guard guard(taking_);
+  if (stopped() || next_ >= blocks_.size()) return std::nullopt;  // without counting a block as begun
+  return blocks_[next_++];
 }
 
-std::span<const std::size_t> SurveyRun::begun() const {
-  return {blocks_.data(), std::min(next_.load(), blocks_.size())};
+std::span<const std::size_t> SurveyRun::begun() const { return {blocks_.data(), next_}; }
+
+CellRecord SurveyRun::known(std::size_t cell) const {
+  const std::lock_guard guard(taking_);
+  return record(cell);
 }
 
-std::exception_ptr SurveyRun::work(const Survey& survey, std::vector<std::size_t> blocks, SearchLog* notes,
-                                   const SurveyHelpers& helpers) {
-  blocks_ = std::move(blocks);
-  const std::size_t at_once = std::min<std::size_t>(blocks_.size(), static_cast<std::size_t>(threads_));
-  const int each = at_once > 0 ? threads_ / static_cast<int>(at_once) : 1;
-  working_ = static_cast<int>(at_once);
-  idle_ = threads_ - each * working_;
+void SurveyRun::deliver(std::size_t cell, const CellRecord& made) {
+  const std::lock_guard guard(taking_);
+  const CellRecord taken = take(cell, made);
+  if (taken.empty()) return;
+  if (file_) file_->append(cell, taken);
+  kept(cell);
+}
+
+void SurveyRun::open(Survey survey, io::CellFile* file, const SurveyHelpers& helpers) {
+  survey_ = std::move(survey);
+  file_ = file;
+  if (helpers) helpers_ = std::async(std::launch::async, [this, helpers] { guarded([&] { helpers(*this); }); });
+}
+
+void SurveyRun::work(std::vector<std::size_t> blocks) {
+  const int at_once = static_cast<int>(std::min<std::size_t>(blocks.size(), static_cast<std::size_t>(threads_)));
+  {
+    const std::lock_guard guard(taking_);
+    blocks_ = std::move(blocks);
+    next_ = 0;
+  }
+  if (at_once == 0) return;
+  const int each = threads_ / at_once, spare = threads_ - each * at_once;
+  working_ = at_once;
+  idle_ = spare;
   const BlockWorkers workers{.threads = each,
                              .idle = [this] { return idle_ / std::max(1, working_.load()); },
                              .help = &ensembles_,
                              .stop = stop_,
-                             .notes = notes,
+                             .notes = file_ ? &file_->notes() : nullptr,
                              .known = [this](std::size_t cell) { return known(cell); },
                              .deliver = [this](std::size_t cell, const CellRecord& made) { deliver(cell, made); }};
   std::vector<std::thread> crew;
-  for (int k = 0; k < idle_; ++k) crew.emplace_back([this] { help(); });
-  for (std::size_t k = 0; k < at_once; ++k) crew.emplace_back([&] { work_along(survey, workers); });
-  guarded([&] {
-    if (helpers) helpers(*this);
-  });
+  for (int k = 0; k < spare; ++k) crew.emplace_back([this] { help(); });
+  for (int k = 0; k < at_once; ++k) crew.emplace_back([&] { work_along(workers); });
   for (std::thread& worker : crew) worker.join();
-  return failure_;
 }
 
-void SurveyRun::work_along(const Survey& survey, const BlockWorkers& workers) {
+void SurveyRun::dismiss() {
+  over_ = true;
+  if (helpers_.valid()) helpers_.wait();
+}
+
+void SurveyRun::close() {
+  dismiss();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void SurveyRun::work_along(const BlockWorkers& workers) {
   guarded([&] {
     while (const auto block = next_block())
-      if (!survey(*block, workers)) break;
+      if (!survey_(*block, workers)) break;
   });
   idle_ += workers.threads;
   --working_;
@@ -64,7 +90,7 @@ void SurveyRun::work_along(const Survey& survey, const BlockWorkers& workers) {
 void SurveyRun::help() {
   constexpr std::chrono::milliseconds until_a_look{5};
   guarded([&] {
-    while (!idle() && !stopped())
+    while (working_ > 0 && !stopped())
       if (!ensembles_.help()) std::this_thread::sleep_for(until_a_look);
   });
 }

@@ -1,10 +1,11 @@
-// A survey at work in this process: its blocks given to threads and to helping processes.
+// A survey at work in this process: its blocks given to threads and to helping processes, its cells kept.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -13,41 +14,62 @@
 #include "equipoise/analyses/sweeps/open_ensembles.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/core/running/run_options.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 
 namespace equipoise {
 
-/// Who derives from it keeps what is made.
+/// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
 class SurveyRun : public SurveyWork {
  public:
   std::optional<std::size_t> next_block() override;
-  bool idle() const override { return working_ == 0; }
+  CellRecord known(std::size_t cell) const final;
+  void deliver(std::size_t cell, const CellRecord& made) final;
+  bool idle() const final { return over_; }
 
  protected:
   explicit SurveyRun(const RunOptions& options);
 
+  /// Helpers are at work from here on. `file` keeps what is delivered; or null.
+  void open(Survey survey, io::CellFile* file, const SurveyHelpers& helpers);
   /// As many blocks at a time as there are threads; where there are fewer, each has several threads. Threads for which
-  /// no block is left decide starts of the others' cells. Returns what ended the work early, if anything was thrown.
-  std::exception_ptr work(const Survey& survey, std::vector<std::size_t> blocks, SearchLog* notes,
-                          const SurveyHelpers& helpers);
-  /// Blocks that somebody took.
+  /// no block is left decide starts of the others' cells. Helpers may still be at blocks when it returns.
+  void work(std::vector<std::size_t> blocks);
+  /// Nothing more is to come: returns when the helpers have gone. Throws what ended the work early; what is done is in
+  /// the file.
+  void close();
+  void dismiss();  ///< the same, without throwing
+
+  /// Blocks of the last batch that somebody took.
   std::span<const std::size_t> begun() const;
+  /// Whether the stop flag ended the work, or something thrown.
+  bool stopped() const { return is_set(stop_) || failed_; }
+
+  // Called with taking_ held.
+  virtual CellRecord record(std::size_t cell) const = 0;
+  /// What the file is to keep of it. Empty: it is there already.
+  virtual CellRecord take(std::size_t cell, const CellRecord& made) = 0;
+  /// It is in the file.
+  virtual void kept(std::size_t) {}
 
   const int threads_;
+  mutable std::mutex taking_;
 
  private:
-  bool stopped() const { return is_set(stop_) || failed_; }
-  void work_along(const Survey& survey, const BlockWorkers& workers);
+  void work_along(const BlockWorkers& workers);
   void help();
   void guarded(const std::function<void()>& call);
 
   const StopFlag* stop_;
+  Survey survey_;
+  io::CellFile* file_ = nullptr;
   std::vector<std::size_t> blocks_;
-  std::atomic<std::size_t> next_{0};
+  std::size_t next_ = 0;
   std::atomic<int> working_{0}, idle_{0};  // those at blocks; threads without one
+  std::atomic<bool> over_{false}, failed_{false};
   OpenEnsembles ensembles_;
-  std::atomic<bool> failed_{false};
   std::mutex failing_;
   std::exception_ptr failure_;
+  std::future<void> helpers_;
 };
 
 }  // namespace equipoise

@@ -1,28 +1,94 @@
-// Takes cells in, keeps and reports them.
+// Computes cells from their studies and their neighbours' attractors; takes them in, keeps and reports them.
 #include "equipoise/analyses/sweeps/sweep.hpp"
 
-#include <exception>
 #include <memory>
-#include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/sweeps/attractor_labels.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
-#include "equipoise/analyses/sweeps/sweep_cell.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/cell_files/sweep_file.hpp"
+#include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
 
 namespace {
+
+SweepOutcome outcome_of(const OutcomeShare& a, const Catalogue& catalogue, int balls) {
+  SweepOutcome outcome{a, a.id};
+  const Attractor* attractor = catalogue.find(a.id);
+  if (!attractor || attractor->motion.state.size() == 0) return outcome;
+  const Motion& m = attractor->motion;
+  outcome.r_min = m.r_min;
+  outcome.r_mean = m.r_mean;
+  outcome.r_max = m.r_max;
+  outcome.period = m.kind == MotionKind::periodic ? m.period : 0.0;
+  outcome.drift.assign(m.drift.begin(), m.drift.begin() + balls);
+  outcome.state.assign(m.state.data(), m.state.data() + m.state.size());
+  return outcome;
+}
+
+SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
+  SweepCell cell;
+  cell.starts = result.starts;
+  for (const OutcomeShare& a : result.attractors)
+    cell.outcomes.push_back(outcome_of(a, catalogue, result.study.parameters.balls));
+  static_cast<OtherShares&>(cell) = result;
+  cell.passed = result.passed;
+  if (result.transients) cell.transients = std::make_shared<TransientGroup>(result.transients->groups.front());
+  cell.balanced_stable = result.balanced_stable;
+  cell.note = result.note;
+  return cell;
+}
+
+// One cell after another. A search begins with what the previous one found; if both search the same, where that began.
+bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& workers) {
+  AttractorSearchCache searches;
+  std::vector<std::vector<double>> states;
+  WarmStartLevels levels;
+  std::string subject;
+  std::optional<SweepCell> before;
+  for (const std::size_t index : plan.cells_of(block)) {
+    const Study study = plan.study_of(index);
+    const std::string last = std::exchange(subject, attractor_search_subject(study));
+    if (before && subject != last) {
+      const auto size = static_cast<std::size_t>(study.system().dimension());
+      states.clear();
+      for (const SweepOutcome& outcome : before->outcomes)
+        if (outcome.state.size() == size) states.push_back(outcome.state);
+      levels = states.empty() ? WarmStartLevels{} : before->warm_start_levels;
+    }
+    if (const CellRecord done = workers.known(index); !done.empty()) {
+      before = io::cell_from(done);
+      continue;
+    }
+    BasinOptions options = plan.ensemble(workers);
+    options.searches = &searches;
+    options.warm_start_states = states;
+    options.warm_start = !states.empty();
+    options.warm_start_levels = &levels;
+    Catalogue catalogue;
+    WarmStartLevels found;
+    const BasinResult result = basin(study, options, &catalogue, &found);
+    if (result.partial) return false;
+    before = cell_of(result, catalogue);
+    before->warm_start_levels = std::move(found);
+    workers.deliver(index, io::bytes_of(*before));
+  }
+  return true;
+}
 
 class SweepRun final : public SurveyRun {
  public:
@@ -43,33 +109,33 @@ class SweepRun final : public SurveyRun {
     if (file_) give_notice(options_, file_->loss());
     const std::vector<std::size_t> blocks = blocks_to_do();
     report();
-    const std::exception_ptr failure =
-        work(sweep_survey(plan_), blocks, file_ ? &file_->notes() : nullptr, options_.helpers);
+    open(sweep_survey(plan_), file_.get(), options_.helpers);
+    work(blocks);
+    close();
     label_attractors(result_.axes, result_.cells);
     result_.took(clock.time());
-    if (failure) std::rethrow_exception(failure);  // what is done is kept beside the output
     if (file_) io::finish_sweep_file(*file_, result_);
     return std::move(result_);
   }
 
-  CellRecord known(std::size_t cell) const override {
-    const std::lock_guard guard(taking_);
+ private:
+  CellRecord record(std::size_t cell) const override {
     const auto& there = result_.cells[cell];
     return there ? io::bytes_of(*there) : CellRecord{};
   }
 
-  void deliver(std::size_t index, const CellRecord& made) override {
-    auto cell = std::make_shared<SweepCell>(io::cell_from(made));
-    const std::lock_guard guard(taking_);
-    if (result_.cells[index]) return;
-    if (file_) file_->append(index, made);
-    result_.cells[index] = std::move(cell);
+  CellRecord take(std::size_t index, const CellRecord& made) override {
+    if (result_.cells[index]) return {};
+    result_.cells[index] = std::make_shared<SweepCell>(io::cell_from(made));
+    return made;
+  }
+
+  void kept(std::size_t index) override {
     ++done_;
     if (options_.cell) options_.cell(index, *result_.cells[index]);
     report();
   }
 
- private:
   // Those of this shard in which something is missing.
   std::vector<std::size_t> blocks_to_do() {
     std::vector<std::size_t> blocks;
@@ -93,10 +159,13 @@ class SweepRun final : public SurveyRun {
   SweepResult result_;
   std::unique_ptr<io::CellFile> file_;
   std::uint64_t done_ = 0, total_ = 0;
-  mutable std::mutex taking_;
 };
 
 }  // namespace
+
+Survey sweep_survey(const SweepPlan& plan) {
+  return [&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); };
+}
 
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options) {
   if (options.shards < 1 || options.shard >= options.shards)

@@ -24,6 +24,9 @@ struct SweepOptions : RunOptions {
   SurveyHelpers helpers;
 };
 
+/// For other processes of a job: a record is a cell.
+Survey sweep_survey(const SweepPlan& plan);
+
 /// Runs the ensembles. The result depends only on the plan. Throws InputError for unusable output files, RunError if
 /// the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});

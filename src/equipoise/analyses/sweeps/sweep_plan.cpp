@@ -8,6 +8,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
@@ -71,6 +72,20 @@ std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
   std::vector<std::size_t> cells;
   for (std::size_t k = first; k < std::min(first + block_length, length); ++k) cells.push_back(begin + k * stride);
   return cells;
+}
+
+BasinOptions SweepPlan::ensemble(const BlockWorkers& workers) const {
+  BasinOptions options;
+  options.half_width = request_.half_width;
+  options.limit_given = request_.limit_given;
+  options.transients = transients_;
+  options.without_balls = false;
+  options.threads = workers.threads;
+  if (workers.idle) options.search_threads = workers.threads + workers.idle();
+  options.help = workers.help;
+  options.stop = workers.stop;
+  options.notes = workers.notes;
+  return options;
 }
 
 std::string SweepPlan::identity() const {

@@ -10,6 +10,9 @@
 
 namespace equipoise {
 
+struct BasinOptions;
+struct BlockWorkers;
+
 /// A study that can be read again with other values.
 struct StudySource {
   std::string toml, name;
@@ -50,6 +53,8 @@ class SweepPlan {
   std::size_t blocks() const { return lines_ * blocks_in_line_; }
   /// In the order of computation.
   std::vector<std::size_t> cells_of(std::size_t block) const;
+  /// Of a cell's ensemble, at work with these.
+  BasinOptions ensemble(const BlockWorkers& workers) const;
   /// "speed.final = 2.4, balancer.drag = 0.05".
   std::string title_of(std::size_t cell) const;
 

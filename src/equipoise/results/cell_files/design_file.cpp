@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -19,8 +18,6 @@ namespace equipoise {
 namespace {
 
 constexpr io::CellFileKind design_kind{"design", io::Journal::Kind::ensemble};
-
-using KeptSamples = std::map<std::uint64_t, KeptSample>;
 
 std::string variable_of(const std::string& figure) {
   std::string name;
@@ -76,32 +73,26 @@ void write_design(const std::string& path, const std::string& identity, const De
 
 }  // namespace
 
-DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most)
-    : most_(most),
-      file_(design_kind, path, identity, most, [this](std::size_t number, const std::vector<std::uint8_t>& record) {
-        samples_[number] = io::sample_from(record);
-      }) {}
+namespace io {
 
-std::optional<DesignSample> DesignFile::sample(std::uint64_t number, const std::string& name) const {
-  const auto at = samples_.find(number);
-  if (at == samples_.end() || at->second.name != name) return std::nullopt;
-  return at->second.sample;
-}
-
-void DesignFile::append(std::uint64_t number, const std::string& name, const DesignSample& sample) {
-  const KeptSample& kept = samples_[number] = {name, sample};
-  file_.append(number, io::bytes_of(kept));
-}
-
-void DesignFile::finish(const DesignResult& result) {
-  const auto write = [&](const std::string& path) {
-    std::vector<const KeptSample*> all(most_);
-    for (const auto& [number, kept] : samples_)
-      if (number < most_) all[number] = &kept;
-    const io::CellRecords records(all, [](const KeptSample& kept) { return io::bytes_of(kept); });
-    write_design(path, file_.identity(), result, samples_, records);
+std::unique_ptr<CellFile> open_design_file(const std::string& path, const std::string& identity, std::size_t most,
+                                           KeptSamples& kept) {
+  const auto take = [&kept](std::size_t number, const std::vector<std::uint8_t>& record) {
+    kept[number] = sample_from(record);
   };
-  file_.finish(write, result.partial ? io::CellFile::Rest::all : io::CellFile::Rest::nothing);
+  return std::make_unique<CellFile>(design_kind, path, identity, most, take);
 }
 
+void finish_design_file(CellFile& file, const DesignResult& result, std::size_t most, const KeptSamples& kept) {
+  const auto write = [&](const std::string& path) {
+    std::vector<const KeptSample*> all(most);
+    for (const auto& [number, sample] : kept)
+      if (number < most) all[number] = &sample;
+    const CellRecords records(all, [](const KeptSample& sample) { return bytes_of(sample); });
+    write_design(path, file.identity(), result, kept, records);
+  };
+  file.finish(write, result.partial ? CellFile::Rest::all : CellFile::Rest::nothing);
+}
+
+}  // namespace io
 }  // namespace equipoise
