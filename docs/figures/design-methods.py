@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ways to search the same design with the same budget of trajectories: the optimiser's and those that do not learn.
+"""Ways to search the same design with the same budget of trajectories: the optimiser's and Latin hypercubes, which do not learn.
 
     docs/figures/design-methods.py PROGRAM [STUDY [SEEDS [TRAJECTORIES [METHODS]]]]
 
@@ -17,7 +17,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DESIGNS = os.path.join(HERE, "..", "..", "studies", "designs")
-METHODS = ("cmaes", "random", "latin", "grid")
+METHODS = ("cmaes", "latin")
 MORE_IS_BETTER = ("balanced", "passed")
 
 

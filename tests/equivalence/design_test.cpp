@@ -91,7 +91,7 @@ run_up = "4 s"
 velocity = "2 mm/s"
 [design]
 objective = ["peak_radial.0.95"]
-method = "random"
+method = "latin"
 starts = 100
 trajectories = 2000
 [design.vary]

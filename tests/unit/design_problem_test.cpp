@@ -21,7 +21,7 @@
 namespace equipoise {
 namespace design_problem_test {
 
-const std::string plain_design = constant_speed + "[design]\nmethod = \"random\"\nobjective = [\"balanced\"]\n";
+const std::string plain_design = constant_speed + "[design]\nmethod = \"latin\"\nobjective = [\"balanced\"]\n";
 
 const std::string machine = R"([rotor]
 mass = "10 kg"
@@ -37,7 +37,7 @@ drag = "0.01 N m s"
 profile = "constant"
 speed = "3000 rpm"
 [design]
-method = "random"
+method = "latin"
 objective = ["peak_radial.0.5"]
 [design.vary]
 "balancer.mass" = ["15 g", "30 g"]
@@ -100,7 +100,7 @@ TEST(DesignProblem, EverySpinUpKeepsToItsLimits) {
 TEST(DesignProblem, SpinUpTakesThePlaceOfTheSpeedAndOneReleaseThatOfTheOther) {
   const DesignProblem problem =
       problem_of(constant_speed +
-                 "law = \"published\"\n[release]\nspeed = 2.4\n[design]\nmethod = \"random\"\n"
+                 "law = \"published\"\n[release]\nspeed = 2.4\n[design]\nmethod = \"latin\"\n"
                  "objective = [\"balanced\"]\n[design.vary]\n\"release.time\" = [0.0, 400.0]\n"
                  "speed = { points = 1, until = 500.0, range = [0.0, 5.0] }\n");
   const std::vector<double> at{0.25, 0.6, 0.5, 0.5};
@@ -138,7 +138,7 @@ oil = { grade = "ISO VG 32", at = "40 degC" }
 profile = "constant"
 speed = "3000 rpm"
 )";
-const std::string oiled_design = oiled + "[design]\nmethod = \"random\"\nobjective = [\"balanced\"]\n[design.vary]\n";
+const std::string oiled_design = oiled + "[design]\nmethod = \"latin\"\nobjective = [\"balanced\"]\n[design.vary]\n";
 
 TEST(DesignProblem, OnlyAllowedValuesAreReached) {
   const DesignProblem problem = problem_of(oiled_design +
@@ -222,7 +222,7 @@ TEST(DesignProblem, LimitsKeptNeedLimits) {
   const std::string vary = "[design.vary]\n\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 100\"] }\n";
   const auto refused_for = [&](const std::string& limits, const std::string& figure) {
     return refusal_text([&] {
-      problem_of(oiled + limits + "[design]\nmethod = \"random\"\nobjective = [\"" + figure + "\"]\n" + vary);
+      problem_of(oiled + limits + "[design]\nmethod = \"latin\"\nobjective = [\"" + figure + "\"]\n" + vary);
     });
   };
   EXPECT_NE(refused_for("", "limits_kept").find("needs [limits]"), std::string::npos);
@@ -300,7 +300,7 @@ TEST(DesignProblem, WantedNumbersOfTheStudyAsItIsAreKnown) {
         "eccentricity = \"0.1 mm\"\n[balancer]\nballs = 2\nrace_radius = \"50 mm\"\n" +
         of_balls +
         "drag = \"0.01 N m s\"\n[speed]\nprofile = \"constant\"\nspeed = \"3000 rpm\"\n"
-        "[design]\nmethod = \"random\"\nobjective = [\"-balancer.mass\"]\n"
+        "[design]\nmethod = \"latin\"\nobjective = [\"-balancer.mass\"]\n"
         "[design.vary]\n\"balancer.mass\" = [\"15 g\", \"30 g\"]\n");
     return problem.figures()[0].own;
   };
@@ -316,7 +316,7 @@ DesignSample sample(double balanced, double peak, double arm = 0.0) {
 TEST(DesignStanding, LimitsComeFirstThenEveryObjective) {
   const DesignProblem problem =
       problem_of(constant_speed +
-                 "[design]\nmethod = \"random\"\nobjective = [\"balanced\", \"peak_radial.0.5\"]\n"
+                 "[design]\nmethod = \"latin\"\nobjective = [\"balanced\", \"peak_radial.0.5\"]\n"
                  "[design.vary]\n\"balancer.mass\" = [0.01, 0.1]\n"
                  "[design.require]\n\"balanced\" = { above = 0.5 }\n");
   const DesignStanding standing(problem.figures(), problem.objectives(), problem.limits());

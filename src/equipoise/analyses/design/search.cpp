@@ -1,8 +1,7 @@
-// Methods that do not learn, as a baseline for those that do.
+// Latin hypercubes: where the optimisers begin, and what searches without them.
 #include "equipoise/analyses/design/search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -18,15 +17,6 @@ void shuffle(std::vector<std::size_t>& places, RandomStream& draws) {
     std::swap(places[k - 1], places[static_cast<std::size_t>(draws.uniform() * static_cast<double>(k))]);
 }
 
-void random_points(const SearchSpace& space, RandomStream draws, const Judge& judge) {
-  for (;;) {
-    std::vector<SearchPoint> points(at_a_time, SearchPoint(space.dimensions));
-    for (SearchPoint& point : points)
-      for (double& x : point) x = draws.uniform();
-    judge(points);
-  }
-}
-
 // One hypercube with as many points as will probably be judged, then others.
 void latin_points(const SearchSpace& space, RandomStream draws, const Judge& judge) {
   for (;;) {
@@ -35,32 +25,6 @@ void latin_points(const SearchSpace& space, RandomStream draws, const Judge& jud
     for (std::size_t first = 0; first < points.size(); first += at_a_time)
       judge({points.begin() + static_cast<std::ptrdiff_t>(first),
              points.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_a_time, points.size()))});
-  }
-}
-
-// The finest grid with no more points than will probably be judged, in random order, so that the points judged cover
-// the whole cube. Finer grids follow.
-void grid_points(const SearchSpace& space, RandomStream draws, const Judge& judge) {
-  const double each = std::pow(static_cast<double>(space.points), 1.0 / static_cast<double>(space.dimensions));
-  for (auto side = static_cast<std::size_t>(std::max(2.0, std::floor(each + 1e-9)));; ++side) {
-    std::size_t count = 1;
-    for (std::size_t d = 0; d < space.dimensions; ++d) count *= side;
-    std::vector<std::size_t> places(count);
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    shuffle(places, draws);
-    for (std::size_t first = 0; first < count; first += at_a_time) {
-      std::vector<SearchPoint> points;
-      for (std::size_t k = first; k < std::min(first + at_a_time, count); ++k) {
-        SearchPoint point(space.dimensions);
-        std::size_t place = places[k];
-        for (double& x : point) {
-          x = static_cast<double>(place % side) / static_cast<double>(side - 1);
-          place /= side;
-        }
-        points.push_back(std::move(point));
-      }
-      judge(points);
-    }
   }
 }
 
@@ -86,12 +50,8 @@ void search(DesignMethod method, const SearchSpace& space, std::uint64_t seed, c
         return search_methods::cmaes(space, seed, judge);
       case DesignMethod::nsga2:
         return search_methods::nsga2(space, seed, judge);
-      case DesignMethod::random:
-        return random_points(space, RandomStream(seed), judge);
       case DesignMethod::latin:
         return latin_points(space, RandomStream(seed), judge);
-      case DesignMethod::grid:
-        return grid_points(space, RandomStream(seed), judge);
       case DesignMethod::automatic:
         break;
     }

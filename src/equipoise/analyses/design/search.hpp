@@ -26,7 +26,7 @@ using Judge = std::function<std::vector<SearchWorth>(const std::vector<SearchPoi
 
 struct SearchSpace {
   std::size_t dimensions = 1, objectives = 1;
-  std::uint64_t points = 1000;  ///< probably judged: determines how fine a grid is
+  std::uint64_t points = 1000;  ///< probably judged
 };
 
 /// Proposes points until `judge` throws SearchOver; the same points for the same seed and worths. `method` must not be

@@ -97,9 +97,9 @@ struct DesignStep {
   double value = 0.0;      ///< of the first objective
 };
 
-/// How candidates are proposed. auto is CMA-ES for one objective, NSGA-II for several.
-enum class DesignMethod { automatic, cmaes, nsga2, random, latin, grid };
-inline constexpr std::array<const char*, 6> design_method_names{"auto", "cmaes", "nsga2", "random", "latin", "grid"};
+/// How candidates are proposed. auto is CMA-ES for one objective, NSGA-II for several; Latin hypercubes need no pagmo2.
+enum class DesignMethod { automatic, cmaes, nsga2, latin };
+inline constexpr std::array<const char*, 4> design_method_names{"auto", "cmaes", "nsga2", "latin"};
 
 struct DesignResult : RunInfo {
   Study study;
