@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "equipoise/analyses/basin_slices/slice_pixel.hpp"
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
-#include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/core/base/angles.hpp"
 
 namespace equipoise {
@@ -15,13 +13,7 @@ namespace equipoise {
 InvariantPixels::InvariantPixels(const BasinSlice& plane) {
   if (draws_starts(plane)) return;
   const model::Parameters p = study_at(plane, 0, 0).parameters;
-  const auto start = [&](int column, int row) {
-    InitialState s = plane.study.initial;
-    for (const auto& [axis, pixel] : {std::pair{&plane.x, column}, std::pair{&plane.y, row}})
-      if (double* value = initial_value(s, p.balls, axis->key)) *value = axis->centre(pixel);
-    tie(s, plane.links);
-    return s;
-  };
+  const auto start = [&](int column, int row) { return start_at(plane, column, row); };
   const InitialState corner = start(0, 0);
   for (int i = 0; i < p.balls; ++i)
     for (int k = 0; k < i; ++k) {

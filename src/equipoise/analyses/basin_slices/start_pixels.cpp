@@ -55,6 +55,12 @@ double balance_growth(const model::System& system) {
 
 namespace {
 
+// Places linked balls, link by link.
+void tie(InitialState& start, const std::vector<AngleLink>& links) {
+  for (const AngleLink& link : links)
+    start.phi[static_cast<std::size_t>(link.ball - 1)] = start.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;
+}
+
 // The start of [initial], with drawn ball angles if the slice draws them.
 void place_start(const BasinSlice& map, int column, int row, Study& study) {
   if (draws_starts(map)) {
@@ -100,6 +106,14 @@ Session session_of(const BasinSlice& map, const RunOptions& options, SearchLog* 
 
 }  // namespace
 
+InitialState start_at(const BasinSlice& map, int column, int row) {
+  InitialState s = map.study.initial;
+  for (const auto& [axis, pixel] : {std::pair{&map.x, column}, std::pair{&map.y, row}})
+    if (double* value = initial_value(s, map.study.parameters.balls, axis->key)) *value = axis->centre(pixel);
+  tie(s, map.links);
+  return s;
+}
+
 Study study_at(const BasinSlice& map, int column, int row) {
   Study study = study_with(map.study, map.x.key, map.x.centre(column));
   study = study_with(study, map.y.key, map.y.centre(row));
@@ -108,12 +122,8 @@ Study study_at(const BasinSlice& map, int column, int row) {
 }
 
 StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-                         const Discovered& discovered, SearchLog* notes)
-    : map_(map),
-      options_(options),
-      discovered_(discovered),
-      session_(session_of(map, options, notes)),
-      catalogue_(session_) {
+                         PixelTaker& taker, SearchLog* notes)
+    : map_(map), options_(options), taker_(taker), session_(session_of(map, options, notes)), catalogue_(session_) {
   if (session_.stopped()) return;
   if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, session_, notes);
   for (const Attractor& a : catalogue_.attractors()) listed_.insert(a.id);
@@ -125,25 +135,21 @@ StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, const
   }
 }
 
-bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
+bool StartPixels::compute(const std::vector<std::uint32_t>& positions) {
   if (unread_ || session_.stopped()) return false;
   const auto start_at = [&](std::uint32_t position) { return family_start(position); };
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
   const ChunkWork work{
       .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
   return take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
-    hand_on(positions, chunk, take);
+    hand_on(positions, chunk);
     return true;
   });
 }
 
 InitialState StartPixels::start(std::uint32_t position) const {
   const std::uint32_t columns = static_cast<std::uint32_t>(map_.x.pixels);
-  InitialState s = map_.study.initial;
-  *initial_value(s, map_.study.parameters.balls, map_.x.key) = map_.x.centre(static_cast<int>(position % columns));
-  *initial_value(s, map_.study.parameters.balls, map_.y.key) = map_.y.centre(static_cast<int>(position / columns));
-  tie(s, map_.links);
-  return s;
+  return start_at(map_, static_cast<int>(position % columns), static_cast<int>(position / columns));
 }
 
 FamilyStart StartPixels::family_start(std::uint32_t position) const {
@@ -182,50 +188,42 @@ bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chu
 }
 
 // Passes pixels on in order.
-void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take) {
+void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk) {
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
     const int id = catalogue_.settle(u, chunk.fates[u.place]);
-    if (id > 0 && listed_.insert(id).second && !of_family()) discovered_(u.state);
+    if (id > 0 && listed_.insert(id).second && !of_family()) taker_.discovered(u.state);
     if (u.motion) followed[u.place] = u.motion->r_max;
   }
-  DonePixels done;
+  const auto first = positions.begin() + static_cast<std::ptrdiff_t>(chunk.first);
+  const std::vector<std::uint32_t> places(first, first + static_cast<std::ptrdiff_t>(chunk.count));
+  std::vector<SlicePixel> pixels;
   for (std::size_t i = 0; i < chunk.count; ++i) {
-    const std::uint32_t position = positions[chunk.first + i];
-    const MotionName* motion = nullptr;
-    const auto own = of_family() ? std::optional<FamilyStart>(family_start(position)) : std::nullopt;
-    const InitialState begin = own ? own->own.start : start(position);
-    SlicePixel pixel;
-    if (overlap(map_.study.parameters, begin.phi.data())) {  // no such start
+    const auto own = of_family() ? std::optional<FamilyStart>(family_start(places[i])) : std::nullopt;
+    const InitialState begin = own ? own->own.start : start(places[i]);
+    const auto at = followed.find(i);
+    SlicePixel& pixel = pixels.emplace_back();
+    if (overlap(map_.study.parameters, begin.phi.data()))  // no such start
       pixel.code = failed_code;
-    } else {
-      pixel = pixel_of(own, chunk.fates[i], motion);
-      if (const auto at = followed.find(i); motion && at != followed.end())
-        pixel.r_max = static_cast<float>(at->second);
-    }
-    if (own) add_balance(own->own.study, pixel);
-    done.positions.push_back(position);
-    done.pixels.push_back(pixel);
-    done.motions.push_back(motion);
+    else
+      pixel = pixel_of(own, chunk.fates[i], at == followed.end() ? nullptr : &at->second);
+    if (!own) continue;
+    pixel.balance_growth = static_cast<float>(balance_growth(own->own.study.system()));
+    pixel.balance_margin = static_cast<float>(balance_margin(own->own.study.parameters));
   }
-  take(done);
+  taker_.take(places, pixels);
 }
 
-void StartPixels::add_balance(const Study& study, SlicePixel& pixel) {
-  pixel.balance_growth = static_cast<float>(balance_growth(study.system()));
-  pixel.balance_margin = static_cast<float>(balance_margin(study.parameters));
-}
-
-SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion) {
+SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed) {
   SlicePixel pixel;
   pixel.time = static_cast<float>(fate.time);
   pixel.code = code_of(fate);
   const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
   if (!a) return pixel;
-  auto& name = names_[a->id];
-  if (!name) name = std::make_unique<MotionName>(MotionName{a->name, a->alias, a->id < first_free_id ? a->id : 0});
-  motion = name.get();
-  pixel.r_max = own ? fate.radius : static_cast<float>(a->motion.r_max);
+  const auto [code, fresh] = codes_.try_emplace(a->id);
+  if (fresh) code->second = taker_.code_of_motion({a->name, a->alias, a->id < first_free_id ? a->id : 0});
+  pixel.code = code->second;
+  pixel.r_max = followed ? static_cast<float>(*followed) : own ? fate.radius : static_cast<float>(a->motion.r_max);
   return pixel;
 }
 

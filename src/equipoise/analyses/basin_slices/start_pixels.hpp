@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,8 +10,8 @@
 #include <vector>
 
 #include "equipoise/analyses/basin_slices/line_motions.hpp"
-#include "equipoise/analyses/basin_slices/slice_pixel.hpp"
 #include "equipoise/analyses/ensembles/chunks.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
@@ -27,41 +26,51 @@ double balance_margin(const model::Parameters& p);
 /// Largest growth rate at isolated balanced states; NaN if the rotor's angle matters or the race is off centre.
 double balance_growth(const model::System& system);
 
+/// The start of [initial] with a pixel's values and the links.
+InitialState start_at(const BasinSlice& map, int column, int row);
 /// The study of a pixel. Throws InputError if it is invalid.
 Study study_at(const BasinSlice& map, int column, int row);
+
+/// Takes what pixels come to. Called by one thread at a time.
+class PixelTaker {
+ public:
+  virtual ~PixelTaker() = default;
+  /// A state on a motion that is new to the map, before the pixels that came to it.
+  virtual void discovered(const std::vector<double>& state) = 0;
+  /// The code of a motion, before the pixels that have it.
+  virtual short code_of_motion(const MotionName& motion) = 0;
+  virtual void take(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels) = 0;
+};
 
 /// Decides the pixels of a slice as basin() decides its starts.
 class StartPixels {
  public:
-  using Discovered = std::function<void(const std::vector<double>& state)>;
-
   /// Finds the attractors. `map`: its study must have a horizon. `met`: states on motions that earlier runs met; these
-  /// are listed first. `discovered` is told of new ones, before the pixels that came to them. `notes` may be null.
+  /// are listed first. `notes` may be null.
   StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-              const Discovered& discovered, SearchLog* notes);
+              PixelTaker& taker, SearchLog* notes);
 
   /// Computes pixels at these positions and passes them on in this order. False if stopped before all were done.
-  bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
+  bool compute(const std::vector<std::uint32_t>& positions);
 
  private:
   bool of_family() const { return session_.family() != nullptr; }
   InitialState start(std::uint32_t position) const;
   FamilyStart family_start(std::uint32_t position) const;
   bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
-  void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take);
-  // `own`: given if rotors differ between pixels.
-  SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion);
-  static void add_balance(const Study& study, SlicePixel& pixel);
+  void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk);
+  // `own`: given if rotors differ between pixels. `followed`: the largest r, if the start was followed for it.
+  SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed);
 
   const BasinSlice& map_;
   const RunOptions& options_;
-  Discovered discovered_;
+  PixelTaker& taker_;
   const Session session_;
   RunCatalogue catalogue_;
-  std::optional<LineMotions> lines_;                        // where lines have one rotor
-  bool unread_ = false;                                     // stopped before all of `met` were listed
-  std::set<int> listed_;                                    // attractors known beforehand, or already told
-  std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
+  std::optional<LineMotions> lines_;  // where lines have one rotor
+  bool unread_ = false;               // stopped before all of `met` were listed
+  std::set<int> listed_;              // attractors known beforehand, or already listed
+  std::map<int, short> codes_;        // of attractors
 };
 
 }  // namespace equipoise

@@ -19,53 +19,52 @@ constexpr double near_part = 0.1;  // range within which the effect is measured
 
 // One number of a candidate that can be changed.
 struct Movable {
-  DesignMargin margin;
-  bool logarithmic = false, whole = false;
-  std::vector<StudyValue> choices;
-  std::vector<double> numbers;
+  DesignVariable variable;  // for a point of a spin-up, its time or speed
   std::size_t setting = 0;
   StudyValue at;                 // the chosen value
   const char* member = nullptr;  // for a spin-up: times or speeds
   std::size_t entry = 0;
+  double value = allowed_number(variable, at);
 
-  bool ordered() const { return choices.empty() || !numbers.empty(); }
+  bool ordered() const { return variable.choices.empty() || !variable.numbers.empty(); }
   StudyValue moved_value(double part) const {
-    if (numbers.empty()) return value_of(moved(part), margin.unit, whole);
-    const std::size_t here = nearest_allowed(numbers, margin.value), to = nearest_allowed(numbers, moved(part));
-    return choices[part > 0.0 ? std::max(to, std::min(here + 1, numbers.size() - 1))
-                              : std::min(to, here > 0 ? here - 1 : 0)];
+    const std::vector<double>& numbers = variable.numbers;
+    if (numbers.empty()) return value_of(moved(part), variable.unit, variable.whole);
+    const std::size_t here = nearest_allowed(numbers, value), to = nearest_allowed(numbers, moved(part));
+    return variable.choices[part > 0.0 ? std::max(to, std::min(here + 1, numbers.size() - 1))
+                                       : std::min(to, here > 0 ? here - 1 : 0)];
   }
 
   // The number changed by a part of the range; unchanged if that leads out of the range.
   double moved(double part) const {
-    const DesignMargin& m = margin;
-    const double to = logarithmic ? m.value * std::pow(m.high / m.low, part) : m.value + part * (m.high - m.low);
-    const double inside = std::clamp(to, m.low, m.high);
-    return whole ? std::round(part > 0.0 ? std::max(inside, std::min(m.value + 1.0, m.high))
-                                         : std::min(inside, std::max(m.value - 1.0, m.low)))
-                 : inside;
+    const DesignVariable& v = variable;
+    const double to = v.logarithmic ? value * std::pow(v.high / v.low, part) : value + part * (v.high - v.low);
+    const double inside = std::clamp(to, v.low, v.high);
+    return v.whole ? std::round(part > 0.0 ? std::max(inside, std::min(value + 1.0, v.high))
+                                           : std::min(inside, std::max(value - 1.0, v.low)))
+                   : inside;
   }
 };
 
 // A point keeps a tenth of the time to its neighbours, so that pieces do not vanish.
 void add_points(const DesignVariable& v, std::size_t setting, const StudyValue& table, std::vector<Movable>& movables) {
-  const StudyValue::Array& times = *table.find("times")->array();
+  const StudyValue::Array &times = *table.find("times")->array(), &speeds = *table.find("speeds")->array();
   const auto last = times.size() - 1;
+  const auto add = [&](const char* member, const StudyValue& at, std::size_t k, const std::string& unit, double low,
+                       double high) {
+    if (!(high > low)) return;
+    DesignVariable number;
+    number.key = fmt::format("{}.{}[{}]", v.key, member, k);
+    number.unit = unit;
+    number.low = low;
+    number.high = high;
+    movables.push_back({number, setting, at, member, k});
+  };
   for (std::size_t k = 1; k <= last; ++k) {
     const auto time = [&](std::size_t place) { return number_of(times[place]); };
-    Movable t{{}, false, false, {}, {}, setting, times[k], "times", k};
-    t.margin.key = fmt::format("{}.times[{}]", v.key, k);
-    t.margin.unit = v.spin_up->time_unit;
-    t.margin.low = time(k) - 0.9 * (time(k) - time(k - 1));
-    t.margin.high = k < last ? time(k) + 0.9 * (time(k + 1) - time(k)) : v.spin_up->until;
-    if (t.margin.high > t.margin.low) movables.push_back(t);
-    if (k == last) break;
-    Movable s{{}, false, false, {}, {}, setting, (*table.find("speeds")->array())[k], "speeds", k};
-    s.margin.key = fmt::format("{}.speeds[{}]", v.key, k);
-    s.margin.unit = v.unit;
-    s.margin.low = v.low;
-    s.margin.high = v.high;
-    movables.push_back(s);
+    add("times", times[k], k, v.spin_up->time_unit, time(k) - 0.9 * (time(k) - time(k - 1)),
+        k < last ? time(k) + 0.9 * (time(k + 1) - time(k)) : v.spin_up->until);
+    if (k < last) add("speeds", speeds[k], k, v.unit, v.low, v.high);
   }
 }
 
@@ -81,21 +80,10 @@ std::vector<Movable> movables_of(const DesignProblem& problem, const DesignCandi
   for (std::size_t k = 0; k < problem.variables().size(); ++k) {
     const DesignVariable& v = problem.variables()[k];
     const StudyValue& value = chosen.settings[k].value;
-    if (v.spin_up) {
-      if (!chosen.as_it_is) add_points(v, k, value, movables);
-      continue;
-    }
-    Movable m{{}, v.logarithmic, v.whole, v.choices, v.numbers, k, value, nullptr, 0};
+    if (v.spin_up && !chosen.as_it_is) add_points(v, k, value, movables);
     // The study itself may lie off the range, or state its value in other terms.
-    if (chosen.as_it_is && !within(v, value)) continue;
-    m.margin.prefix = v.prefix;
-    m.margin.key = v.key;
-    m.margin.unit = v.unit;
-    m.margin.low = v.low;
-    m.margin.high = v.high;
-    movables.push_back(m);
+    if (!v.spin_up && (!chosen.as_it_is || within(v, value))) movables.push_back({v, k, value});
   }
-  for (Movable& m : movables) m.margin.value = allowed_number(m.choices, m.numbers, m.at);
   return movables;
 }
 
@@ -109,13 +97,13 @@ std::vector<StudyValue> values_around(const Movable& m) {
     for (const double part : margin_parts)
       for (const double side : {-part, part}) add(m.moved_value(side));
   } else {
-    for (const StudyValue& choice : m.choices) add(choice);
+    for (const StudyValue& choice : m.variable.choices) add(choice);
   }
   return values;
 }
 
 std::vector<DesignSetting> settings_with(const DesignCandidate& chosen, const Movable& m, const StudyValue& value) {
-  if (chosen.as_it_is) return {{m.margin.key, value}};
+  if (chosen.as_it_is) return {{m.variable.key, value}};
   std::vector<DesignSetting> settings = chosen.settings;
   StudyValue& setting = settings[m.setting].value;
   if (!m.member) {
@@ -191,16 +179,23 @@ std::vector<DesignMargin> design_margins(const DesignProblem& problem, const Des
   if (here.figures.empty()) return {};
   const MarginJudge judge(problem, standing, here);
   std::vector<DesignMargin> margins;
-  for (Movable& m : movables_of(problem, chosen)) {
+  for (const Movable& m : movables_of(problem, chosen)) {
     const std::vector<StudyValue> values = values_around(m);
     std::vector<WantedSample> wanted;
     for (const StudyValue& value : values) wanted.push_back({settings_with(chosen, m, value), starts, seed});
     const std::vector<DesignSample> samples = ensembles.run(wanted);
+    const DesignVariable& v = m.variable;
+    DesignMargin& margin = margins.emplace_back();
+    margin.key = v.key;
+    margin.unit = v.unit;
+    margin.prefix = v.prefix;
+    margin.value = m.value;
+    margin.low = v.low;
+    margin.high = v.high;
     for (std::size_t k = 0; k < values.size(); ++k)
-      m.margin.points.push_back({allowed_number(m.choices, m.numbers, values[k]), text_of(values[k]), samples[k]});
-    m.margin.here = here;
-    judge.judge(m.margin, m.ordered());
-    margins.push_back(std::move(m.margin));
+      margin.points.push_back({allowed_number(v, values[k]), text_of(values[k]), samples[k]});
+    margin.here = here;
+    judge.judge(margin, m.ordered());
   }
   std::stable_sort(margins.begin(), margins.end(),
                    [](const DesignMargin& a, const DesignMargin& b) { return a.effect > b.effect; });
@@ -232,7 +227,7 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
     const DesignVariable& v = problem.variables()[k];
     if (v.spin_up || (!v.choices.empty() && v.numbers.empty())) continue;
     if (chosen.as_it_is && !within(v, chosen.settings[k].value)) continue;
-    const double value = allowed_number(v.choices, v.numbers, chosen.settings[k].value);
+    const double value = allowed_number(v, chosen.settings[k].value);
     const double part =
         v.logarithmic ? std::log(value / v.low) / std::log(v.high / v.low) : (value - v.low) / (v.high - v.low);
     if (part <= at_end || part >= 1.0 - at_end)

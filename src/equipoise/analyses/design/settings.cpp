@@ -79,10 +79,9 @@ std::size_t nearest_allowed(const std::vector<double>& allowed, double number) {
   return above == allowed.end() || number - allowed[k - 1] <= *above - number ? k - 1 : k;
 }
 
-double allowed_number(const std::vector<StudyValue>& choices, const std::vector<double>& numbers,
-                      const StudyValue& value) {
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    if (text_of(choices[k]) == text_of(value)) return numbers[k];
+double allowed_number(const DesignVariable& variable, const StudyValue& value) {
+  for (std::size_t k = 0; k < variable.numbers.size(); ++k)
+    if (text_of(variable.choices[k]) == text_of(value)) return variable.numbers[k];
   return number_of(value);
 }
 

@@ -21,9 +21,8 @@ StudyValue value_of(double number, const std::string& unit, bool whole = false);
 /// The place of the entry nearest to a number; `allowed` ascends.
 std::size_t nearest_allowed(const std::vector<double>& allowed, double number);
 
-/// The number of one of the choices, whose numbers these are; of any other value its own.
-double allowed_number(const std::vector<StudyValue>& choices, const std::vector<double>& numbers,
-                      const StudyValue& value);
+/// The number of one of the variable's choices; of any other value its own.
+double allowed_number(const DesignVariable& variable, const StudyValue& value);
 
 /// "balancer.mass=0.05;speed.speeds=[0.0, 2.8];...": candidates with the same text are the same.
 std::string text_of(const std::vector<DesignSetting>& settings);
