@@ -17,7 +17,6 @@
 #include "equipoise/report/html/sweep_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "options.hpp"

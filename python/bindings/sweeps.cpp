@@ -4,7 +4,6 @@
 #include "bindings.hpp"
 #include "equipoise/analyses/design/design.hpp"
 #include "equipoise/analyses/sweeps/capacity.hpp"
-#include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/report/html/capacity_html.hpp"

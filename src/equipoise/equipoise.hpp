@@ -25,7 +25,6 @@
 #include "equipoise/analyses/one_study/observation.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/analyses/sweeps/capacity.hpp"
-#include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"

@@ -28,7 +28,6 @@
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
-#include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"

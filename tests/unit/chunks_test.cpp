@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/analyses/ensembles/chunks.hpp"
-#include "equipoise/analyses/sweeps/open_ensembles.hpp"
+#include "equipoise/analyses/sweeps/survey_run.hpp"
 
 namespace equipoise {
 namespace chunks_test {

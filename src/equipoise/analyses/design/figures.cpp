@@ -1,5 +1,5 @@
 // Shares, quantiles over starts, and figures that follow from the study alone.
-#include "equipoise/analyses/design/figures.hpp"
+#include "equipoise/analyses/design/problem.hpp"
 
 #include <algorithm>
 #include <array>

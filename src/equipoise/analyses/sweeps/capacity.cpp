@@ -15,7 +15,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/analyses/sweeps/varied_unbalance.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"

@@ -7,7 +7,6 @@
 
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
-#include "equipoise/analyses/sweeps/varied_unbalance.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/capacity_result.hpp"
 
@@ -29,6 +28,18 @@ struct CapacityOptions : RunOptions {
 /// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a
 /// figure.
 std::vector<std::string> capacity_goals(const Study& study);
+
+/// The source of a study in physical units with its unbalance as one quantity, rotor.unbalance in g mm, where it is
+/// stated otherwise (as an eccentricity, a balance grade or places) and neither uncertain nor varied by an axis; else
+/// the same. Of a rotor that tilts rotor.unbalance then stands for its static unbalance, and capacity() varies all of
+/// its unbalances in proportion; throws InputError where they are a couple alone, uncertain or varied by an axis.
+StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes);
+
+/// Whether with_unbalance() made this source of a rotor that tilts: rotor.unbalance stands for all its unbalances.
+bool varies_all_unbalances(const StudySource& source);
+
+/// Then the overrides with which its static unbalance is this (kg m), each unbalance keeping its share.
+std::vector<std::string> unbalances_in_proportion(const SweepPlan& plan, double unbalance);
 
 /// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
 /// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
@@ -53,7 +64,8 @@ Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
 /// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
 /// on the same starts. Throws InputError if a study at either end of the range, or one step into it, is none, or for
-/// unusable output files, RunError if the output fails later. The result depends on the plan and on what is asked alone.
+/// unusable output files, RunError if the output fails later. The result depends on the plan and on what is asked
+/// alone.
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
 
 }  // namespace equipoise

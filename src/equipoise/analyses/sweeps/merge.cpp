@@ -1,5 +1,5 @@
 // Reads a sweep's settings from a file's identity; puts the cells of several files into one.
-#include "equipoise/analyses/sweeps/merge.hpp"
+#include "equipoise/analyses/sweeps/sweep.hpp"
 
 #include <string>
 #include <vector>

@@ -2,21 +2,40 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <future>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "equipoise/analyses/sweeps/open_ensembles.hpp"
+#include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 
 namespace equipoise {
+
+/// Ensembles at work in this process, whose starts idle threads help to decide. Helpers come in while a queue is open,
+/// and its owner waits for them before it goes. Callable from any thread.
+class OpenEnsembles final : public ChunkHelp {
+ public:
+  void open(ChunkQueue& queue) override;
+  void close(ChunkQueue& queue) override;
+  /// Decides a chunk of one of them. False if none is available now.
+  bool help();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable left_;
+  std::vector<ChunkQueue*> open_;
+  std::map<ChunkQueue*, int> inside_;  // helpers at work
+  std::size_t turn_ = 0;               // they are helped in turn
+};
 
 /// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
 class SurveyRun : public SurveyWork {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
@@ -16,8 +17,7 @@ namespace equipoise {
 /// Progress is in cells.
 struct SweepOptions : RunOptions {
   std::string output;  ///< NetCDF file; an unfinished one of the same sweep is resumed, a finished one read
-  /// Only every `shards`-th block, starting with number `shard`; other processes have the rest
-  /// (analyses/sweeps/merge.hpp).
+  /// Only every `shards`-th block, starting with number `shard`; other processes have the rest (merge_sweeps()).
   std::size_t shard = 0, shards = 1;
   /// Called with every finished cell and its index, never from two threads at once.
   std::function<void(std::size_t, const SweepCell&)> cell;
@@ -30,5 +30,12 @@ Survey sweep_survey(const SweepPlan& plan);
 /// Runs the ensembles. The result depends only on the plan. Throws InputError for unusable output files, RunError if
 /// the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
+
+/// Reads a sweep's file, or its unfinished part (.part), as a result. Throws InputError for other or damaged files.
+SweepResult stored_sweep(const std::string& path);
+
+/// Merges the files of shards, or of any runs of one sweep, into `output`. Throws InputError if they do not belong to
+/// one sweep, or are damaged.
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output);
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // Unbalances read from a study's text, written again as one quantity each.
-#include "equipoise/analyses/sweeps/varied_unbalance.hpp"
+#include "equipoise/analyses/sweeps/capacity.hpp"
 
 #include <cstddef>
 #include <string_view>
