@@ -16,7 +16,7 @@ Team::Team() = default;
 Team::~Team() = default;
 bool Team::have_same(const std::string&) { return true; }
 bool Team::agree(bool good) { return good; }
-void Team::lead(SurveyWork&, const StopFlag*) {}
+void Team::lead(SurveyRun&, const StopFlag*) {}
 int Team::follow(const Survey&, int, const StopFlag*) { return done; }
 void Team::dismiss() {}
 void Team::abort(int) { std::abort(); }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/core/base/bytes.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "post.hpp"
@@ -159,7 +160,7 @@ bool Team::agree(bool good) {
   return answer;
 }
 
-void Team::lead(SurveyWork& work, const StopFlag* stop) {
+void Team::lead(SurveyRun& work, const StopFlag* stop) {
   std::vector<bool> busy(static_cast<std::size_t>(size_), true);  // by rank, until it asks
   // Once nobody works, all go home.
   const auto work_for = [&](int rank, bool stopped) -> Work {

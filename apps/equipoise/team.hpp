@@ -72,7 +72,7 @@ class Team {
   template <class Options, class Compute>
   auto lead(Options& options, const Compute& compute) {
     if (!alone())
-      options.helpers = [this, stop = options.stop](SurveyWork& work) { lead(work, stop); };
+      options.helpers = [this, stop = options.stop](SurveyRun& work) { lead(work, stop); };
     return or_end(compute);
   }
   /// Of the others: works until the first has nothing more. Returns the exit code.
@@ -92,7 +92,7 @@ class Team {
     }
   }
   bool agree(bool good);  // what the first found, known to all
-  void lead(SurveyWork& work, const StopFlag* stop);
+  void lead(SurveyRun& work, const StopFlag* stop);
   void dismiss();
   [[noreturn]] void abort(int code);
 

@@ -2,7 +2,6 @@
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -42,16 +41,7 @@ constexpr double default_horizon = 3000.0;
 constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
 
 void check(const BasinSlice& map) {
-  for (const SliceAxis* axis : {&map.x, &map.y}) {
-    const auto reject = [&](const std::string& value, const std::string& problem) {
-      throw InputError("map", axis->key, value, problem);
-    };
-    if (axis->pixels < 1 || axis->pixels > most_slice_pixels)
-      reject(fmt::format("{}", axis->pixels),
-             fmt::format("pixels; must be a whole number from 1 to {}", most_slice_pixels));
-    if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
-      reject(fmt::format("{} to {}", axis->low, axis->high), "must be two finite numbers, the first below the second");
-  }
+  for (const SliceAxis& axis : {map.x, map.y}) check_axis(axis, "map", "pixels");
   if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", words::sweeps::same_key_twice);
   for (const AngleLink& link : map.links)
     if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -190,20 +191,22 @@ class DesignRun {
     }
     std::vector<DesignCandidate> finalists;
     for (const std::size_t k : places) finalists.push_back(candidates[k]);
+    std::iota(places.begin(), places.end(), std::size_t{0});
     if (one_objective())
       tell_apart(finalists);
     else
-      follow_on(finalists, each(part(for_choice), finalists.size()));
+      follow_on(finalists, places, each(part(for_choice), finalists.size()));
     tell(nullptr);
     take_front(finalists, true);
   }
 
-  void follow_on(std::vector<DesignCandidate>& finalists, std::uint64_t starts) {
+  void follow_on(std::vector<DesignCandidate>& finalists, const std::vector<std::size_t>& places,
+                 std::uint64_t starts) {
     std::vector<WantedSample> wanted;
-    for (const DesignCandidate& c : finalists)
-      wanted.push_back({c.changes(), std::max(starts, c.search.starts), result_.search_seed});
+    for (const std::size_t k : places)
+      wanted.push_back({finalists[k].changes(), std::max(starts, finalists[k].search.starts), result_.search_seed});
     const std::vector<DesignSample> larger = ensembles_->run(wanted);
-    for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
+    for (std::size_t k = 0; k < places.size(); ++k) finalists[places[k]].search = larger[k];
   }
 
   // While several may be the best, takes more starts for those known least, the most promising first.
@@ -219,16 +222,13 @@ class DesignRun {
       for (const std::size_t k : rivals) fewest = std::min(fewest, samples[k]->starts);
       const std::uint64_t starts = std::min(std::max(raise_by * fewest, fewest_starts()), most_starts);
       std::vector<std::size_t> raised;
-      std::vector<WantedSample> wanted;
       for (const std::size_t k : rivals) {
         if (rivals.size() < 2 || samples[k]->starts > fewest || starts == fewest || starts > left) continue;
         left -= starts;
         raised.push_back(k);
-        wanted.push_back({finalists[k].changes(), starts, result_.search_seed});
       }
       if (raised.empty()) return;
-      const std::vector<DesignSample> larger = ensembles_->run(wanted);
-      for (std::size_t k = 0; k < raised.size(); ++k) finalists[raised[k]].search = larger[k];
+      follow_on(finalists, raised, starts);
     }
   }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
@@ -13,6 +12,7 @@ namespace equipoise {
 
 class ChunkHelp;
 class SearchLog;
+class SurveyRun;
 
 /// What is kept of a cell and sent between processes (results/cell_files/sweep_cells.hpp). Empty: nothing.
 using CellRecord = std::vector<std::uint8_t>;
@@ -32,20 +32,7 @@ struct BlockWorkers {
 /// it was made from.
 using Survey = std::function<bool(std::size_t block, const BlockWorkers& workers)>;
 
-/// Work to share: gives out blocks and takes what is made of their cells. Callable from any thread.
-class SurveyWork {
- public:
-  virtual ~SurveyWork() = default;
-  /// A block that nobody works on yet; none once all are given out or the work is to stop.
-  virtual std::optional<std::size_t> next_block() = 0;
-  virtual CellRecord known(std::size_t cell) const = 0;
-  /// It is in the file, if there is one, when this returns.
-  virtual void deliver(std::size_t cell, const CellRecord& made) = 0;
-  /// Nothing more is to come from this process' own threads.
-  virtual bool idle() const = 0;
-};
-
 /// Runs next to the own threads until all is done: hands blocks to other processes. Empty: there are none.
-using SurveyHelpers = std::function<void(SurveyWork&)>;
+using SurveyHelpers = std::function<void(SurveyRun&)>;
 
 }  // namespace equipoise

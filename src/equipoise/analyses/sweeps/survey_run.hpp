@@ -38,12 +38,18 @@ class OpenEnsembles final : public ChunkHelp {
 };
 
 /// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
-class SurveyRun : public SurveyWork {
+class SurveyRun {
  public:
-  std::optional<std::size_t> next_block() override;
-  CellRecord known(std::size_t cell) const final;
-  void deliver(std::size_t cell, const CellRecord& made) final;
-  bool idle() const final { return over_; }
+  virtual ~SurveyRun() = default;
+
+  // For helpers, from any thread.
+  /// A block that nobody works on yet; none once all are given out or the work is to stop.
+  virtual std::optional<std::size_t> next_block();
+  CellRecord known(std::size_t cell) const;
+  /// It is in the file, if there is one, when this returns.
+  void deliver(std::size_t cell, const CellRecord& made);
+  /// Nothing more is to come.
+  bool idle() const { return over_; }
 
  protected:
   explicit SurveyRun(const RunOptions& options);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,17 +23,6 @@
 namespace equipoise {
 
 namespace {
-
-void check_axis(const SliceAxis& axis) {
-  const auto reject = [&](const std::string& value, const std::string& problem) {
-    throw InputError("stability", axis.key, value, problem);
-  };
-  if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
-    reject(fmt::format("{}", axis.pixels),
-           fmt::format("points; must be a whole number from 1 to {}", most_slice_pixels));
-  if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
-    reject(fmt::format("{} to {}", axis.low, axis.high), "must be two finite numbers, the first below the second");
-}
 
 void check_size(const SliceAxis& x, const SliceAxis& y) {
   const std::uint64_t points = static_cast<std::uint64_t>(x.pixels) * static_cast<std::uint64_t>(y.pixels);
@@ -66,8 +54,7 @@ Study checked_with(const Study& study, const std::string& key, double value) {
 PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y,
                            const std::function<void(const Study&)>& check)
     : study_(study), x_(x), y_(y) {
-  check_axis(x);
-  check_axis(y);
+  for (const SliceAxis& axis : {x, y}) check_axis(axis, "stability", "points");
   check_size(x, y);
   check_key(x.key);
   check_key(y.key);
