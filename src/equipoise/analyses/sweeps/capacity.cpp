@@ -38,15 +38,11 @@ constexpr int scan = 8;  // values of the range tried first
 // Values have few digits, so that they read back as shown.
 double few_digits(double value) { return number_in(fmt::format("{:.6g}", value)); }
 
-std::string setting(const CapacityOptions& options, double value) {
-  return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);
-}
-
 // The overrides of a trial.
 std::vector<std::string> settings(const SweepPlan& plan, const CapacityOptions& options, double value) {
-  if (!varies_all_unbalances(plan.source())) return {setting(options, value)};
-  const double wanted = study::measure(fmt::format("{} {}", value, options.unit), {study::Dimension::unbalance}).value;
-  return unbalances_in_proportion(plan, wanted);
+  const std::string given = fmt::format("{}{}{}", value, options.unit.empty() ? "" : " ", options.unit);
+  if (!varies_all_unbalances(plan.source())) return {options.key + "=" + given};
+  return unbalances_in_proportion(plan, study::measure(given, {study::Dimension::unbalance}).value);
 }
 
 // Of the starts that do what is asked.

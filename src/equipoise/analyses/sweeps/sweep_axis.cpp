@@ -20,11 +20,6 @@ constexpr char axis_form[] =
     "must be KEY=FROM:TO:STEP or KEY=A,B,C in numbers, e.g. speed.final=1.5:6:0.1, or in quantities of one unit, e.g. "
     "\"speed.final=900 rpm:4000 rpm:100 rpm\"";
 
-struct Token {
-  double value = 0.0;
-  std::string unit;
-};
-
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
@@ -38,14 +33,6 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
     at = end + 1;
   }
   return parts;
-}
-
-bool read_token(const std::string& text, Token& token) {
-  const char* end = text.data() + text.size();
-  const auto read = read_number(text.data(), end, token.value);
-  if (read.error != std::errc() || !std::isfinite(token.value)) return false;
-  token.unit = trimmed(std::string(read.end, end));
-  return true;
 }
 
 bool has_repeats(std::vector<double> values) {
@@ -65,12 +52,14 @@ SweepParameter sweep_parameter(const std::string& text, const std::string& optio
   const bool range = list.find(':') != std::string::npos;
   std::vector<double> numbers;
   for (const std::string& part : parts_of(list, range ? ':' : ',')) {
-    Token token;
-    if (!read_token(part, token)) reject(axis_form);
-    if (numbers.empty()) parameter.unit = token.unit;
-    if (token.unit != parameter.unit)
-      reject(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", parameter.unit, token.unit));
-    numbers.push_back(token.value);
+    double& value = numbers.emplace_back();
+    const char* end = part.data() + part.size();
+    const auto read = read_number(part.data(), end, value);
+    if (read.error != std::errc() || !std::isfinite(value)) reject(axis_form);
+    const std::string unit = trimmed(std::string(read.end, end));
+    if (numbers.size() == 1) parameter.unit = unit;
+    if (unit != parameter.unit)
+      reject(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", parameter.unit, unit));
   }
   if (range) {
     if (numbers.size() != 3) reject(axis_form);

@@ -43,25 +43,18 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Cell
     try {
       check_runnable(study_of(cell), transients_);
     } catch (const InputError& e) {
-      throw InputError(option, e.key(), e.value(), e.problem() + " (in the cell " + title_of(cell) + ")");
+      throw InputError(option, e.key(), e.value(), e.problem() + " (in the cell " + cell_title(axes_, cell) + ")");
     }
   }
 }
 
-std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
+Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more) const {
   std::vector<std::string> overrides;
   visit_parameters(axes_, cell,
                    [&](const SweepParameter& p, std::size_t k) { overrides.push_back(p.key + "=" + p.given[k]); });
-  return overrides;
-}
-
-Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more) const {
-  std::vector<std::string> overrides = overrides_of(cell);
   overrides.insert(overrides.end(), more.begin(), more.end());
   return source_.with(overrides);
 }
-
-std::string SweepPlan::title_of(std::size_t cell) const { return cell_title(axes_, cell); }
 
 std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
   const std::size_t line = block / blocks_in_line_, first = block % blocks_in_line_ * block_length;

@@ -47,22 +47,18 @@ class SweepPlan {
   bool transients() const { return transients_; }
 
   std::size_t cells() const { return cells_; }
-  Study study_of(std::size_t cell) const { return study_of(cell, {}); }
-  /// With further overrides.
-  Study study_of(std::size_t cell, const std::vector<std::string>& more) const;
+  /// `more`: further overrides.
+  Study study_of(std::size_t cell, const std::vector<std::string>& more = {}) const;
   std::size_t blocks() const { return lines_ * blocks_in_line_; }
   /// In the order of computation.
   std::vector<std::size_t> cells_of(std::size_t block) const;
   /// Of a cell's ensemble, at work with these.
   BasinOptions ensemble(const BlockWorkers& workers) const;
-  /// "speed.final = 2.4, balancer.drag = 0.05".
-  std::string title_of(std::size_t cell) const;
 
   /// Everything that determines the results, as text.
   std::string identity() const;
 
  private:
-  std::vector<std::string> overrides_of(std::size_t cell) const;
   std::size_t chain_length() const { return axes_.empty() ? 1 : axes_[chain_].size(); }
 
   StudySource source_;
