@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"

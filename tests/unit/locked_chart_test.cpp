@@ -11,7 +11,6 @@
 
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/curves/locked_states.hpp"

@@ -1,5 +1,5 @@
 // Locates changes of stability and kind by bisection, and finds their cause from multipliers.
-#include "equipoise/analyses/continuation/branch_events.hpp"
+#include "equipoise/analyses/continuation/branch_follower.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // Continues one motion from one parameter value to another: by Newton's method for equilibria and periodic orbits, by
-// trajectories for tori and chaos.
+// trajectories for tori and chaos. Events on a branch, and names of branches.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -87,5 +88,20 @@ class BranchContinuation {
   const std::uint64_t starts_;
   const StopFlag* stop_;
 };
+
+/// Why a branch ends where `end` stopped; unresolved if nothing shows it.
+BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end);
+
+/// Changes of stability and kind between two neighbouring points of a branch, in order of value. Bisection brackets
+/// them to 1/256 of the line's step for equilibria and periodic motions, to 1/16 for tori and chaos.
+std::vector<BranchEvent> changes_between(const BranchContinuation& follower, const BranchPoint& low,
+                                         const BranchPoint& high);
+
+/// Gives every branch the name of its motion at most of its points, stable ones first, and the identifier for that
+/// name. Among branches of one name, the one with the most `votes` (then the one that attracts at most values) gets the
+/// identifier; the others are numbered and get free identifiers. Events get their branch's identifier; branches are
+/// ordered by it. `systems`: by index of the value.
+void name_branches(const std::vector<model::System>& systems, const std::vector<std::size_t>& votes,
+                   std::vector<Branch>& branches);
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // One identifier per branch, the same wherever the branch is met.
-#include "equipoise/analyses/continuation/branch_names.hpp"
+#include "equipoise/analyses/continuation/branch_follower.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/results/types/fate.hpp"

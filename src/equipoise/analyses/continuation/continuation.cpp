@@ -9,12 +9,10 @@
 #include <set>
 #include <utility>
 
-#include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
-#include "equipoise/analyses/continuation/branch_names.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
