@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/basin_slices/slice_figures.hpp"
 #include "equipoise/analyses/basin_slices/slice_names.hpp"
 #include "equipoise/analyses/basin_slices/slice_store.hpp"
@@ -41,7 +42,7 @@ constexpr double default_horizon = 3000.0;
 constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
 
 void check(const BasinSlice& map) {
-  for (const SliceAxis& axis : {map.x, map.y}) check_axis(axis, "map", "pixels");
+  check_axes(map.x, map.y, "map", "pixels");
   if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", words::sweeps::same_key_twice);
   for (const AngleLink& link : map.links)
     if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||

@@ -68,6 +68,17 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
   return axis;
 }
 
+void check_axes(const SliceAxis& x, const SliceAxis& y, const char* made, const char* points) {
+  for (const SliceAxis* axis : {&x, &y}) {
+    if (axis->pixels < 1 || axis->pixels > most_slice_pixels)
+      throw InputError(made, axis->key, fmt::format("{}", axis->pixels),
+                       fmt::format("{}; must be a whole number from 1 to {}", points, most_slice_pixels));
+    if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
+      throw InputError(made, axis->key, fmt::format("{} to {}", axis->low, axis->high),
+                       "must be two finite numbers, the first below the second");
+  }
+}
+
 SliceSize map_size(const std::string& text, const std::string& option) {
   SliceSize size;
   const char* end = text.data() + text.size();

@@ -13,6 +13,10 @@ namespace equipoise {
 SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
                      const std::string& option);
 
+/// Throws InputError about `made` ("map", "stability") if an axis has no range or a wrong number of `points`, as its
+/// parts are called.
+void check_axes(const SliceAxis& x, const SliceAxis& y, const char* made, const char* points);
+
 /// "WIDTHxHEIGHT", each 1 to 20000.
 struct SliceSize {
   int width = 512, height = 512;

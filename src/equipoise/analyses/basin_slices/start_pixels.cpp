@@ -9,12 +9,9 @@
 #include <span>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"
-#include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
@@ -108,15 +105,6 @@ Session session_of(const BasinSlice& map, const RunOptions& options, SearchLog* 
 }
 
 }  // namespace
-
-void check_axis(const SliceAxis& axis, const char* made, const char* points) {
-  if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
-    throw InputError(made, axis.key, fmt::format("{}", axis.pixels),
-                     fmt::format("{}; must be a whole number from 1 to {}", points, most_slice_pixels));
-  if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
-    throw InputError(made, axis.key, fmt::format("{} to {}", axis.low, axis.high),
-                     "must be two finite numbers, the first below the second");
-}
 
 InitialState start_at(const BasinSlice& map, int column, int row) {
   InitialState s = map.study.initial;

@@ -26,9 +26,6 @@ double balance_margin(const model::Parameters& p);
 /// Largest growth rate at isolated balanced states; NaN if the rotor's angle matters or the race is off centre.
 double balance_growth(const model::System& system);
 
-/// Throws InputError for an axis without pixels or range, in the name of what is `made` over it of `points`.
-void check_axis(const SliceAxis& axis, const char* made, const char* points);
-
 /// The start of [initial] with a pixel's values and the links.
 InitialState start_at(const BasinSlice& map, int column, int row);
 /// The study of a pixel. Throws InputError if it is invalid.

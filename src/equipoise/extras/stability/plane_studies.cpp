@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
@@ -54,7 +56,7 @@ Study checked_with(const Study& study, const std::string& key, double value) {
 PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y,
                            const std::function<void(const Study&)>& check)
     : study_(study), x_(x), y_(y) {
-  for (const SliceAxis& axis : {x, y}) check_axis(axis, "stability", "points");
+  check_axes(x, y, "stability", "points");
   check_size(x, y);
   check_key(x.key);
   check_key(y.key);
