@@ -25,19 +25,16 @@ bool SliceNames::listed(short code) const {
 }
 
 short SliceNames::code(const MotionName& m) {
-  if (m.id != 0) {
-    const short code = static_cast<short>(m.id);
-    if (!listed(code)) codes_.push_back({code, m.name, m.alias, {}});
-    return code;
-  }
-  const auto known = std::find_if(codes_.begin(), codes_.end(),
-                                  [&](const OutcomeShare& c) { return c.id >= first_free_id && c.name == m.name; });
+  const auto known = std::find_if(codes_.begin(), codes_.end(), [&](const OutcomeShare& c) {
+    return m.id != 0 ? c.id == m.id : c.id >= first_free_id && c.name == m.name;
+  });
   if (known != codes_.end()) return static_cast<short>(known->id);
   const auto usual = std::find(usual_names.begin(), usual_names.end(), m.name);
-  short code = static_cast<short>(first_free_id + (usual - usual_names.begin()));
-  if (usual == usual_names.end()) code = std::max(code, static_cast<short>(highest_ + 1));
-  if (usual == usual_names.end())
+  auto code = static_cast<short>(m.id != 0 ? m.id : first_free_id + (usual - usual_names.begin()));
+  if (m.id == 0 && usual == usual_names.end()) {
+    code = std::max(code, static_cast<short>(highest_ + 1));
     for (const OutcomeShare& c : codes_) code = std::max<short>(code, static_cast<short>(c.id + 1));
+  }
   codes_.push_back({code, m.name, m.alias, {}});
   return code;
 }
