@@ -63,7 +63,6 @@ class DesignRun {
     KeptSamples kept;
     if (!options_.output.empty())
       file_ = io::open_design_file(options_.output, result_.identity, most_ensembles(), kept);
-    if (file_) give_notice(options_, file_->loss());
     ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), std::move(kept));
     find();
     ensembles_->close();

@@ -3,19 +3,15 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "equipoise/analyses/design/problem.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
-#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 
 namespace equipoise {
 
 /// Progress is in trajectories.
-struct DesignOptions : RunOptions {
-  std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
-  SurveyHelpers helpers;
+struct DesignOptions : SurveyOptions {
   /// Says, from any thread, that the search has had its time; the best by then is still checked. Empty: the budget
   /// says.
   std::function<bool()> search_time_over;

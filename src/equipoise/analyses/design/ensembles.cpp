@@ -16,7 +16,7 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const DesignOptio
   candidate_options_.threads = options.threads;
   candidate_options_.stop = options.stop;
   if (search_time_) candidate_options_.stop_asked = [this] { return out_of_time(); };
-  open(candidate_survey(problem, candidate_options_), file, options.helpers);
+  open(candidate_survey(problem, candidate_options_), file);
 }
 
 std::optional<std::size_t> DesignEnsembles::next_block() {

@@ -215,14 +215,13 @@ class CapacityRun final : public SurveyRun {
     check();
     if (!options_.output.empty()) {
       file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
-      give_notice(options_, file_->loss());
       for (const auto& trials : known_) result_.resumed_trials += trials.size();
     }
+    open(capacity_survey(plan_, options_), file_.get());
     std::vector<std::size_t> missing;
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       if (!find(cell)) missing.push_back(cell);
-    open(capacity_survey(plan_, options_), file_.get(), options_.helpers);
-    work(missing);
+    work(std::move(missing));
     close();
     for (const std::size_t cell : begun())
       if (!result_.cells[cell]) {

@@ -7,13 +7,11 @@
 
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
-#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/capacity_result.hpp"
 
 namespace equipoise {
 
-/// Progress is in cells.
-struct CapacityOptions : RunOptions {
+struct CapacityOptions : SurveyOptions {
   std::string key;              ///< as in --set
   std::string unit;             ///< of quantities; empty for plain numbers
   double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
@@ -21,8 +19,6 @@ struct CapacityOptions : RunOptions {
   double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
   std::string by = "balanced";  ///< CapacityResult::by; the plan has to gather transients for all others
   double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
-  std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
-  SurveyHelpers helpers;
 };
 
 /// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
-#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/core/running/run_options.hpp"
 
 namespace equipoise {
 
@@ -34,5 +35,11 @@ using Survey = std::function<bool(std::size_t block, const BlockWorkers& workers
 
 /// Runs next to the own threads until all is done: hands blocks to other processes. Empty: there are none.
 using SurveyHelpers = std::function<void(SurveyRun&)>;
+
+/// Progress is in cells.
+struct SurveyOptions : RunOptions {
+  std::string output;  ///< NetCDF file; an unfinished one of the same survey is resumed, a finished one read
+  SurveyHelpers helpers;
+};
 
 }  // namespace equipoise

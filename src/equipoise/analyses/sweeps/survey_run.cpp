@@ -44,7 +44,7 @@ bool OpenEnsembles::help() {
   return false;
 }
 
-SurveyRun::SurveyRun(const RunOptions& options) : threads_(thread_count(options.threads)), stop_(options.stop) {}
+SurveyRun::SurveyRun(const SurveyOptions& options) : threads_(thread_count(options.threads)), options_(options) {}
 
 std::optional<std::size_t> SurveyRun::next_block() {
   const std::lock_guard guard(taking_);
@@ -67,10 +67,12 @@ void SurveyRun::deliver(std::size_t cell, const CellRecord& made) {
   kept(cell);
 }
 
-void SurveyRun::open(Survey survey, io::CellFile* file, const SurveyHelpers& helpers) {
+void SurveyRun::open(Survey survey, io::CellFile* file) {
   survey_ = std::move(survey);
   file_ = file;
-  if (helpers) helpers_ = std::async(std::launch::async, [this, helpers] { guarded([&] { helpers(*this); }); });
+  if (file) give_notice(options_, file->loss());
+  if (options_.helpers)
+    helpers_ = std::async(std::launch::async, [this] { guarded([&] { options_.helpers(*this); }); });
 }
 
 void SurveyRun::work(std::vector<std::size_t> blocks) {
@@ -87,7 +89,7 @@ void SurveyRun::work(std::vector<std::size_t> blocks) {
   const BlockWorkers workers{.threads = each,
                              .idle = [this] { return idle_ / std::max(1, working_.load()); },
                              .help = &ensembles_,
-                             .stop = stop_,
+                             .stop = options_.stop,
                              .notes = file_ ? &file_->notes() : nullptr,
                              .known = [this](std::size_t cell) { return known(cell); },
                              .deliver = [this](std::size_t cell, const CellRecord& made) { deliver(cell, made); }};

@@ -15,7 +15,6 @@
 
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
-#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 
 namespace equipoise {
@@ -40,7 +39,7 @@ class OpenEnsembles final : public ChunkHelp {
 /// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
 class SurveyRun {
  public:
-  virtual ~SurveyRun() = default;
+  virtual ~SurveyRun() { dismiss(); }
 
   // For helpers, from any thread.
   /// A block that nobody works on yet; none once all are given out or the work is to stop.
@@ -52,10 +51,10 @@ class SurveyRun {
   bool idle() const { return over_; }
 
  protected:
-  explicit SurveyRun(const RunOptions& options);
+  explicit SurveyRun(const SurveyOptions& options);
 
   /// Helpers are at work from here on. `file` keeps what is delivered; or null.
-  void open(Survey survey, io::CellFile* file, const SurveyHelpers& helpers);
+  void open(Survey survey, io::CellFile* file);
   /// As many blocks at a time as there are threads; where there are fewer, each has several threads. Threads for which
   /// no block is left decide starts of the others' cells. Helpers may still be at blocks when it returns.
   void work(std::vector<std::size_t> blocks);
@@ -67,7 +66,7 @@ class SurveyRun {
   /// Blocks of the last batch that somebody took.
   std::span<const std::size_t> begun() const;
   /// Whether the stop flag ended the work, or something thrown.
-  bool stopped() const { return is_set(stop_) || failed_; }
+  bool stopped() const { return is_set(options_.stop) || failed_; }
 
   // Called with taking_ held.
   virtual CellRecord record(std::size_t cell) const = 0;
@@ -84,7 +83,7 @@ class SurveyRun {
   void help();
   void guarded(const std::function<void()>& call);
 
-  const StopFlag* stop_;
+  const SurveyOptions& options_;
   Survey survey_;
   io::CellFile* file_ = nullptr;
   std::vector<std::size_t> blocks_;

@@ -106,11 +106,10 @@ class SweepRun final : public SurveyRun {
   SweepResult run() {
     const RunClock clock;
     if (!options_.output.empty()) file_ = io::open_sweep_file(options_.output, result_.identity, result_.cells);
-    if (file_) give_notice(options_, file_->loss());
-    const std::vector<std::size_t> blocks = blocks_to_do();
+    open(sweep_survey(plan_), file_.get());
+    std::vector<std::size_t> blocks = blocks_to_do();
     report();
-    open(sweep_survey(plan_), file_.get(), options_.helpers);
-    work(blocks);
+    work(std::move(blocks));
     close();
     label_attractors(result_.axes, result_.cells);
     result_.took(clock.time());

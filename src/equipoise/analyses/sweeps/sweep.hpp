@@ -9,19 +9,15 @@
 
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
-#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 
 namespace equipoise {
 
-/// Progress is in cells.
-struct SweepOptions : RunOptions {
-  std::string output;  ///< NetCDF file; an unfinished one of the same sweep is resumed, a finished one read
+struct SweepOptions : SurveyOptions {
   /// Only every `shards`-th block, starting with number `shard`; other processes have the rest (merge_sweeps()).
   std::size_t shard = 0, shards = 1;
   /// Called with every finished cell and its index, never from two threads at once.
   std::function<void(std::size_t, const SweepCell&)> cell;
-  SurveyHelpers helpers;
 };
 
 /// For other processes of a job: a record is a cell.
