@@ -21,7 +21,6 @@
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
-#include "equipoise/report/text/words.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -36,7 +35,7 @@ namespace {
 // Says before anything is computed that no balancer can help, if so.
 void say_to_leave_out(const Study& study, bool quiet) {
   const std::string why = quiet ? "" : below_resonance_words(study);
-  if (!why.empty()) say(equipoise::words::text::leave_out, why);
+  if (!why.empty()) say(leave_balancer_out, why);
 }
 
 // What a page shows.

@@ -16,7 +16,7 @@
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/proved_regions/certificate.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
+#include "equipoise/classification/proved_regions/tilt_proof.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
@@ -126,9 +126,9 @@ TEST(TiltCertificate, SaysWhyThereIsNone) {
   EXPECT_NE(reason({"speed.speed=1"}).find("not linearly stable"), std::string::npos);
   // The reasons of one plane's continuum are not those of a rotor that tilts.
   EXPECT_EQ(proofs({"balancer.plane=[2, 2, -2, -2]", "rotor.eccentricity=0", "rotor.tilt.misalignment=0"}).note,
-            words::proof::plane_with_nothing_to_cancel);
+            plane_with_nothing_to_cancel);
   EXPECT_EQ(proofs({"balancer.balls=6", "balancer.plane=[2, 2, 2, -2, -2, -2]", "initial.phi=[0, 1, 2, 3, 4, 5]"}).note,
-            words::proof::two_planes_of_two);
+            two_planes_of_two);
   // No form makes an unstable state one that attracts.
   const CertifyResult& unstable = proofs({"speed.speed=1"});
   EXPECT_FALSE(unstable.proved());

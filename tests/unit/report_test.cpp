@@ -12,8 +12,8 @@
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/analyses/ensembles/tally.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
@@ -198,14 +198,14 @@ TEST(BasinText, NamesWhatNoStartCameToAndTellsOnlyOfColumnsThatAreShown) {
 
 TEST(NoteText, IsInTheUnitsOfTheStudy) {
   const Study study = parse_study(constant_machine, "m.toml");
-  const std::string note = fmt::format(words::proof::unstable, study.speed.speed, 0.01),
+  const std::string note = fmt::format(unstable_balance, study.speed.speed, 0.01),
                     drawn =
                         fmt::format("all 64 drawn evenly from it are unstable at speed {} (growth rates 0.01 to 0.02)",
                                     study.speed.speed);
   EXPECT_EQ(note_text(study, note),
             "the balanced state exists but is unstable at 2000 rpm (growth rate 0.632 1/s)");  // of machine_omega_c
   EXPECT_TRUE(holds(note_text(study, drawn), "unstable at 2000 rpm (growth rates 0.632 to 1.26 1/s)"));
-  EXPECT_EQ(note_text(parse_study(constant_speed, "s.toml"), fmt::format(words::proof::unstable, 2.0 / 3.0, 0.01)),
+  EXPECT_EQ(note_text(parse_study(constant_speed, "s.toml"), fmt::format(unstable_balance, 2.0 / 3.0, 0.01)),
             "the balanced state exists but is unstable at speed 0.6667 (growth rate 0.01)");
   EXPECT_EQ(note_text(study, "proofs need gravity 0"), "proofs need gravity 0");
 }

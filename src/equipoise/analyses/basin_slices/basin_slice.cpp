@@ -21,7 +21,6 @@
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -43,7 +42,6 @@ constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
 
 void check(const BasinSlice& map) {
   check_axes(map.x, map.y, "map", "pixels");
-  if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", words::sweeps::same_key_twice);
   for (const AngleLink& link : map.links)
     if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||
         link.ball == link.of)
@@ -66,7 +64,7 @@ void check(const BasinSlice& map) {
     return to_toml(study_with(study_with(map.study, map.x.key, map.x.centre(column)), map.y.key, map.y.centre(0)));
   };
   if (map.x.pixels > 1 && with_x(0) == with_x(map.x.pixels - 1))
-    throw InputError("map", map.x.key, "", fmt::format(words::sweeps::set_by_other_axis, map.y.key));
+    throw InputError("map", map.x.key, "", fmt::format(set_by_other_axis, map.y.key));
 }
 
 // Along a parameter no rule is made that could use other grounds.

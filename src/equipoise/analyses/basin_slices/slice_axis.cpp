@@ -77,6 +77,7 @@ void check_axes(const SliceAxis& x, const SliceAxis& y, const char* made, const 
       throw InputError(made, axis->key, fmt::format("{} to {}", axis->low, axis->high),
                        "must be two finite numbers, the first below the second");
   }
+  if (x.key == y.key) throw InputError(made, x.key, "", "both axes vary the same key; must be two");
 }
 
 SliceSize map_size(const std::string& text, const std::string& option) {

@@ -8,13 +8,15 @@
 
 namespace equipoise {
 
+inline constexpr char set_by_other_axis[] = "varies nothing: {}, the other axis, sets the same quantity";
+
 /// `range`: LOW:HIGH in numbers, also parts of pi ("0:2pi", "-pi/2:pi/2"), or as quantities ("900 rpm:4000 rpm") in a
 /// study with scales; empty: a whole turn for ball angles. `option` names it in errors. Throws InputError.
 SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
                      const std::string& option);
 
 /// Throws InputError about `made` ("map", "stability") if an axis has no range or a wrong number of `points`, as its
-/// parts are called.
+/// Refuses axes without pixels or a range, and two of one key. `made`: what the error is about.
 void check_axes(const SliceAxis& x, const SliceAxis& y, const char* made, const char* points);
 
 /// "WIDTHxHEIGHT", each 1 to 20000.

@@ -15,7 +15,6 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
-#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise {
 
@@ -128,7 +127,7 @@ void refuse_if_derived(const Study& study, const std::string& key) {
                      "here only the inertia would change and the angle of the couple unbalance stay, so that another "
                      "couple would act; \"equipoise sweep\" reads the whole study anew for each value");
   if (!study.bearings.empty() && (is("rotor.damping") || is("rotor.stiffness")))
-    throw InputError(study.name, key, "", words::machine::bearings_state_it);
+    throw InputError(study.name, key, "", study::bearings_state_it);
 }
 }  // namespace
 

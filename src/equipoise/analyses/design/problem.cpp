@@ -14,7 +14,6 @@
 #include "equipoise/analyses/design/variable_reader.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
@@ -212,7 +211,7 @@ DesignCandidate DesignProblem::as_it_is() const {
   candidate.as_it_is = true;
   for (const DesignVariable& v : variables_) {
     const StudyValue* own = v.spin_up ? nullptr : stated_in(tree_, v.key);
-    candidate.settings.push_back({v.key, own ? *own : StudyValue(std::string(words::design::as_given))});
+    candidate.settings.push_back({v.key, own ? *own : StudyValue(std::string(design_as_given))});
   }
   return candidate;
 }

@@ -7,7 +7,6 @@
 #include <functional>
 #include <vector>
 
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/random.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 

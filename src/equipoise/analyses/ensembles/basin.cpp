@@ -31,7 +31,7 @@
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/words.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 
@@ -276,7 +276,7 @@ class BasinRun {
     if (unread_) return;
     for (const UnlistedStart& start : chunk.unlisted) name_fate(chunk.fates.front(), start);
     if (!filed_.contains(fate.attractor))
-      throw InputError(options_.output, "", "", fmt::format(words::files::outcome_without_name, index, fate.attractor));
+      throw InputError(options_.output, "", "", fmt::format(outcome_without_name, index, fate.attractor));
   }
 
   void take(const Fate& fate, const TransientRow* row) {

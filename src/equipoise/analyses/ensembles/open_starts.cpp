@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/percent_text.hpp"
-#include "equipoise/simulation/rule/words.hpp"
 
 namespace equipoise {
 
@@ -14,7 +13,7 @@ void note_chaos(BasinResult& result, const EscapeRate& chaos) {
   result.chaos = chaos;
   const double time = result.study.scales ? result.study.scales->time() : 1.0;
   const std::string unit = result.study.scales ? " s" : "";
-  const char* per = result.study.scales ? words::runs::second : words::runs::unit_of_time;
+  const char* per = result.study.scales ? "second" : "unit of time";
   const std::string rate =
       chaos.escapes == 0
           ? fmt::format("a rate below {:.2g} per {} and its median lifetime is above {:.2g}{}", chaos.high / time, per,

@@ -11,7 +11,6 @@
 
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/room_in_race.hpp"
@@ -83,7 +82,7 @@ std::string lost_motion(const model::Parameters& p, double reached) {
 }
 
 std::string instability(const BalancedAnalysis& result, double speed) {
-  if (result.growth_rate > least_rate) return fmt::format(words::proof::unstable, speed, result.growth_rate);
+  if (result.growth_rate > least_rate) return fmt::format(unstable_balance, speed, result.growth_rate);
   return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
 }
 

@@ -15,6 +15,9 @@
 
 namespace equipoise {
 
+/// A note: speed, growth rate.
+inline constexpr char unstable_balance[] = "the balanced state exists but is unstable at speed {} (growth rate {:.3g})";
+
 struct BalancedAnalysis {
   model::BalancedStates states;  ///< as without gravity and with isotropic supports
   bool stable = false;           ///< a linearly stable balanced motion exists or, under gravity, may exist

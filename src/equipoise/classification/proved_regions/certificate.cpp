@@ -10,7 +10,6 @@
 
 #include "equipoise/classification/proved_regions/level_proof.hpp"
 #include "equipoise/classification/proved_regions/tilt_proof.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/capability.hpp"
@@ -53,7 +52,7 @@ std::pair<Box, Box> halves(const Box& box) {
   return result;
 }
 
-const CertificateResult not_finished{false, words::proof::stopped};
+const CertificateResult not_finished{false, stopped_before_proof};
 
 template <ProofKind kind>
 CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
@@ -123,7 +122,7 @@ std::string refusal(const model::System& system) {
   const model::Parameters& p = system.parameters();
   if (!p.tilts() && (p.balls < 1 || p.balls > 2))
     return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
-  if (!std::isfinite(system.speed())) return words::proof::speed_is_finite;
+  if (!std::isfinite(system.speed())) return speed_is_finite;
   if (const auto lack = model::lacking(system, model::ResultKind::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none)

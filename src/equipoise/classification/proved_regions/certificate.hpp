@@ -53,6 +53,11 @@ inline constexpr double spare_in_search = 1e-11;
 /// Boxes tried for one level.
 inline constexpr long default_budget = 20000;
 
+/// Why a proof is not tried or fails.
+inline constexpr char speed_is_finite[] = "the speed must be a finite number";
+inline constexpr char stopped_before_proof[] = "stopped before it was proved";
+inline constexpr char no_decrease_in_box[] = "V does not decrease all over the box";
+
 struct CertificateResult {
   bool proved = false;
   std::string reason;  ///< why not, in one sentence

@@ -5,10 +5,17 @@
 #include <cmath>
 
 #include "equipoise/classification/proved_regions/certificate.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/math/interval.hpp"
 
 namespace equipoise {
+
+/// What is wrong with a certificate about an isolated balanced state.
+inline constexpr char form_frame_level[] = "form, frame or level do not fit the number of balls";
+inline constexpr char other_speed[] = "the speed is not that of balance";
+inline constexpr char angles_enclose_none[] = "the ball angles do not enclose a balanced state";
+inline constexpr char reaches_around[] = "the level set reaches around the race";
+inline constexpr char angles_not_close[] = "the ball angles are not close enough to a balanced state";
+inline constexpr char motor_reaches_limit[] = "the motor reaches its limit on the level set";
 
 template <int rows, int inner, int columns, class A, class B>
 auto product(const A& a, const B& b) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "equipoise/classification/proved_regions/level_frame.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/krawczyk.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
@@ -31,7 +30,7 @@ LevelProof<kind>::LevelProof(const Certificate& c)
     : affine_flow_(flow_of<Flow<Affine>>(c.system())), slope_flow_(flow_of<Flow<Slope>>(c.system())) {
   const auto square = [](const Eigen::MatrixXd& m) { return m.rows() == size && m.cols() == size && m.allFinite(); };
   if (!square(c.form) || !square(c.frame) || !(c.level > 0.0) || !std::isfinite(c.level)) {
-    fault_ = words::proof::form_frame_level;
+    fault_ = form_frame_level;
     return;
   }
   for (int i = 0; i < size; ++i)
@@ -56,7 +55,7 @@ bool LevelProof<kind>::enclose_speed(const Certificate& c) {
       if constexpr (kind.integral)
         rest_[etas - 1] = (damping * speed - Interval(m.constant) - Interval(m.slope) * speed) / Interval(m.integral);
       if (!((damping * speed).magnitude() < m.limit)) fault_ = "the motor is at its limit in balance";
-      if (!((speed - Interval(c.speed)).magnitude() < centre_error)) fault_ = words::proof::other_speed;
+      if (!((speed - Interval(c.speed)).magnitude() < centre_error)) fault_ = other_speed;
     }
     rest_[0] = -x;
     rest_[1] = -y;
@@ -90,8 +89,7 @@ bool LevelProof<kind>::enclose_balance(const Certificate& c) {
       }
       return race;
     };
-    if (!enclose_zero(at_rest, {c.phi[0], c.phi[1]}, centre_error, balance_))
-      fault_ = words::proof::angles_enclose_none;
+    if (!enclose_zero(at_rest, {c.phi[0], c.phi[1]}, centre_error, balance_)) fault_ = angles_enclose_none;
   }
   return fault_.empty();
 }
@@ -111,7 +109,7 @@ bool LevelProof<kind>::check_frame(const Certificate& c) {
       if (j < etas && frame_[row][j] != 0.0) fault_ = "the frame lets ball angles depend on more than tau";
       reach = reach + square(Interval(frame_[row][j]));
     }
-    if (!(square_root(reach * Interval(disc_)).high < 3.1)) fault_ = words::proof::reaches_around;
+    if (!(square_root(reach * Interval(disc_)).high < 3.1)) fault_ = reaches_around;
   }
   return fault_.empty();
 }
@@ -125,7 +123,7 @@ bool LevelProof<kind>::check_centre(const Certificate& c) {
   for (int v = 0; v < etas; ++v)
     if (kind.body) away[row_of(v)] = Interval((rest_[v] - Interval(centre[row_of(v)])).magnitude());
   for (int i = 0; i < n; ++i) away[model::index::phi(i)] = Interval((balance_[i] - Interval(c.phi[i])).magnitude());
-  if (!is_centred<size>(c, away, shift)) fault_ = words::proof::angles_not_close;
+  if (!is_centred<size>(c, away, shift)) fault_ = angles_not_close;
   return fault_.empty();
 }
 
@@ -143,7 +141,7 @@ bool LevelProof<kind>::check_limit(const Certificate& c) {
     const auto& e = c.parameters.race_offset;
     const Interval balanced = Interval(c.parameters.damping[0]) * (square(Interval(e[0])) + square(Interval(e[1])));
     const Interval most = Interval((balanced * rest_[4 + n]).magnitude()) + square_root(reach * Interval(disc_));
-    if (!(most.high < m.limit)) fault_ = words::proof::motor_reaches_limit;
+    if (!(most.high < m.limit)) fault_ = motor_reaches_limit;
   }
   return fault_.empty();
 }

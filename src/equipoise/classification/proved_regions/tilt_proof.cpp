@@ -12,15 +12,12 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/model/equations-inl.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
 
 namespace equipoise {
 
 namespace {
 
 namespace kernels = HWY_NAMESPACE;
-namespace words_of = words::proof;
-
 constexpr int balls = 4;
 
 struct ShaftPair {
@@ -90,15 +87,15 @@ class TiltProof {
 
   CertificateResult check(double spare) {
     if (!fits(c_.form) || !fits(c_.frame) || !(c_.level > 0.0) || !std::isfinite(c_.level))
-      return {false, words_of::form_frame_level};
+      return {false, form_frame_level};
     if (const char* fault = enclose_balance()) return {false, fault};
     if (const char* fault = enclose_reach()) return {false, fault};
-    if (c_.motor && !below_limit()) return {false, words_of::motor_reaches_limit};
+    if (c_.motor && !below_limit()) return {false, motor_reaches_limit};
     const Matrix moved = product<size, size, size>(product<size, size, size>(gradient_, slope()), frame_);
     Matrix fall{};
     for (int i = 0; i < size; ++i)
       for (int j = 0; j <= i; ++j) fall[i][j] = -(moved[i][j] + moved[j][i]);
-    if (!certainly_positive(fall, spare)) return {false, words_of::no_decrease_in_box};
+    if (!certainly_positive(fall, spare)) return {false, no_decrease_in_box};
     return {true, ""};
   }
 
@@ -110,18 +107,18 @@ class TiltProof {
   const char* enclose_balance() {
     constexpr double centre_error = 1e-10, shift = 3e-10;
     std::array<Interval, balls> angles{};
-    if (!enclose_angles(c_, angles)) return words_of::angles_enclose_none;
+    if (!enclose_angles(c_, angles)) return angles_enclose_none;
     for (int i = 0; i < balls; ++i) rest_[model::index::phi(i)] = angles[i];
     if (c_.motor) {
       const MotorAtBalance at = motor_at_balance(*c_.motor);
       rest_[layout_.speed] = at.speed;
       if (layout_.error >= 0) rest_[layout_.error] = at.error;
-      if (!((at.speed - Interval(c_.speed)).magnitude() < centre_error)) return words_of::other_speed;
+      if (!((at.speed - Interval(c_.speed)).magnitude() < centre_error)) return other_speed;
     }
     const Eigen::VectorXd centre = model::balanced_state(system_, c_.speed, c_.phi.data());
     Row away{};
     for (int i = 0; i < size; ++i) away[i] = Interval((rest_[i] - Interval(centre[i])).magnitude());
-    return is_centred<size>(c_, away, shift) ? nullptr : words_of::angles_not_close;
+    return is_centred<size>(c_, away, shift) ? nullptr : angles_not_close;
   }
 
   const char* enclose_reach() {
@@ -131,7 +128,7 @@ class TiltProof {
       for (int j = 0; j < size; ++j) frame_[i][j] = c_.frame(i, j);
     for (int i = 0; i < size; ++i) reach_[i] = length_of(frame_[i]);
     for (int i = 0; i < balls; ++i)
-      if (!(reach_[model::index::phi(i)] < 3.1)) return words_of::reaches_around;
+      if (!(reach_[model::index::phi(i)] < 3.1)) return reaches_around;
     return nullptr;
   }
 
@@ -192,9 +189,9 @@ class TiltProof {
 std::string tilt_refusal(const model::System& system) {
   const std::vector<model::BallPlane> planes = model::planes_of_balls(system.parameters());
   const bool two_and_two = planes.size() == 2 && planes[0].balls.size() == 2 && planes[1].balls.size() == 2;
-  if (!two_and_two) return words_of::two_planes_of_two;
+  if (!two_and_two) return two_planes_of_two;
   const bool isolated = model::balanced_states(system).kind != model::BalancedStates::Kind::continuum;
-  return isolated ? "" : words_of::plane_with_nothing_to_cancel;
+  return isolated ? "" : plane_with_nothing_to_cancel;
 }
 
 CertificateResult check_tilt(const Certificate& c, double spare) {
@@ -203,7 +200,7 @@ CertificateResult check_tilt(const Certificate& c, double spare) {
   if (dimension == size) return TiltProof<size>(c).check(spare);
   if (dimension == size + 1) return TiltProof<size + 1>(c).check(spare);
   if (dimension == size + 2) return TiltProof<size + 2>(c).check(spare);
-  return {false, words_of::form_frame_level};
+  return {false, form_frame_level};
 }
 
 }  // namespace equipoise

@@ -7,6 +7,10 @@
 
 namespace equipoise {
 
+inline constexpr char two_planes_of_two[] = "proofs about a rotor that tilts are for two balls in each of two planes";
+inline constexpr char plane_with_nothing_to_cancel[] =
+    "a plane whose balls have nothing to cancel has a continuum of balanced states; proofs are for isolated ones";
+
 /// Why no proof is tried of this rotor that tilts; empty if one is.
 std::string tilt_refusal(const model::System& system);
 

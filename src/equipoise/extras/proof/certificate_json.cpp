@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/start_runs/words.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/text/json.hpp"
@@ -332,7 +331,7 @@ CertificateFile checked_certificates(const std::string& text, const std::string&
   for (MemberCertificate& c : members_from_json(text, where)) file.members.emplace_back().certificate = std::move(c);
   for (StateProof& s : file.states) s.check = check_certificate(s.certificate, stop);
   for (MemberProof& m : file.members)
-    m.check = is_set(stop) ? CertificateResult{false, words::proof::stopped} : check_member(m.certificate);
+    m.check = is_set(stop) ? CertificateResult{false, stopped_before_proof} : check_member(m.certificate);
   return file;
 }
 

@@ -13,7 +13,7 @@
 #include "equipoise/core/math/positive_definite.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/classification/start_runs/words.hpp"
+#include "equipoise/classification/proved_regions/level_proof.hpp"
 
 namespace equipoise {
 
@@ -146,13 +146,11 @@ CertificateResult verify(const MemberCertificate& c, double spare) {
     if (!(c.rate > 0.0) || !bounded_below(c)) return {false, "V is not positive definite"};
     if (!(c.level > 0.0 && c.level <= (Interval(c.least) * square(fastest)).low))
       return {false, "the level is not what rate and radius allow"};
-    return falls(c, fastest.high, spare) ? CertificateResult{true, ""}
-                                         : CertificateResult{false, words::proof::no_decrease_in_box};
+    return falls(c, fastest.high, spare) ? CertificateResult{true, ""} : CertificateResult{false, no_decrease_in_box};
   }
   if (c.rate != 0.0 || !escapes(c)) return {false, "V is not negative in the direction of escape"};
   if (!holds_balance(c)) return {false, "no balanced state was found in the box"};
-  return falls(c, c.radius, spare) ? CertificateResult{true, ""}
-                                   : CertificateResult{false, words::proof::no_decrease_in_box};
+  return falls(c, c.radius, spare) ? CertificateResult{true, ""} : CertificateResult{false, no_decrease_in_box};
 }
 
 Eigen::MatrixXd middle(const model::Parameters& p, double speed, const double* angles) {
@@ -184,7 +182,7 @@ std::string refusal(const model::Parameters& p, double speed) {
   if (p.gravity != 0.0) return "proofs need gravity 0";
   if (!p.race_is_centred()) return "proofs about a continuum need a centred race";
   if (p.balls_collide() || p.balls_stick()) return "proofs need balls that pass each other and do not stick";
-  if (!std::isfinite(speed)) return words::proof::speed_is_finite;
+  if (!std::isfinite(speed)) return speed_is_finite;
   return "";
 }
 

@@ -11,10 +11,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/basin_slices/slice_axis.hpp"
-#include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
@@ -60,7 +58,6 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
   check_size(x, y);
   check_key(x.key);
   check_key(y.key);
-  if (x.key == y.key) throw InputError("stability", x.key, "", words::sweeps::same_key_twice);
   std::vector<std::string> corners;
   for (const double at_y : {y.centre(0), y.centre(y.pixels - 1)})
     for (const double at_x : {x.centre(0), x.centre(x.pixels - 1)}) {
@@ -69,7 +66,7 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
       corners.push_back(to_toml(there));
     }
   if (x.pixels > 1 && corners[0] == corners[1])
-    throw InputError("stability", x.key, "", fmt::format(words::sweeps::set_by_other_axis, y.key));
+    throw InputError("stability", x.key, "", fmt::format(set_by_other_axis, y.key));
 }
 
 Study PlaneStudies::read(double x, double y) const { return study_with(study_with(study_, x_.key, x), y_.key, y); }

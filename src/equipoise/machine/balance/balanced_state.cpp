@@ -10,7 +10,6 @@
 #include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -32,7 +31,7 @@ BalancedStates balanced_states(const Parameters& p) {
   for (int i = 0; i < p.balls; ++i) largest = std::max(largest, p.mass[i]);
   const double slack = lambda + total - 2.0 * largest;
   if (slack < -equal_within * (lambda + total)) {
-    result.reason = p.balls == 1        ? words::mechanics::lone_ball
+    result.reason = p.balls == 1        ? lone_ball
                     : lambda == largest ? "the unbalance is larger than all balls together can cancel"
                                         : "one ball outweighs the unbalance and the other balls together";
     return result;

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 
@@ -210,7 +209,7 @@ bool Cancelling::cancels(double unbalance) const {
 
 const char* Cancelling::why_not(double unbalance) const {
   if (!fit()) return "the balls do not fit into the race";
-  if (lone) return words::mechanics::lone_ball;
+  if (lone) return lone_ball;
   if (!all_tried) return "of many orders of these balls in the race, none that was tried cancels just the unbalance";
   if (unbalance > most()) return "balls of this size, side by side, cancel less than the unbalance";
   if (unbalance < least()) return "balls of this size have no room to cancel as little as the unbalance";

@@ -8,6 +8,9 @@
 
 namespace equipoise::model {
 
+/// Why one ball has no balanced state.
+inline constexpr char lone_ball[] = "one ball alone cancels its own unbalance, neither more nor less";
+
 /// The values of |sum mu_i e^{i phi_i}| that balls can reach without overlap. Balls keep their order in the race. Each
 /// order reaches one interval; these are the intervals of all orders, merged. Where many unlike balls have more orders
 /// than can be tried, and the first does not reach all that balls without size would, they are those of some orders.

@@ -5,7 +5,6 @@
 
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/machine/mechanics/words.hpp"
 
 namespace equipoise::model {
 

@@ -2,17 +2,17 @@
 #include "equipoise/report/answers/design_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/decision/below_resonance.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 
 namespace equipoise {
@@ -23,12 +23,39 @@ constexpr char no_end[] = "no end";
 
 constexpr std::string_view all_kept = "All requirements are kept: ";
 
-using words::design::Thing;
+// Things that are chosen, and their values after them.
+struct Thing {
+  const char* key;
+  const char* name;    // "ball diameter"
+  const char* before;  // its value follows: "balls let go at "
+};
+constexpr std::array<Thing, 12> known_things{{{"balancer.balls", "number of balls", ""},
+                                              {"balancer.ball_diameter", "ball diameter", ""},
+                                              {"balancer.mass", "mass of a ball", ""},
+                                              {"balancer.oil.grade", "oil", ""},
+                                              {"balancer.oil_viscosity", "oil's viscosity", "oil of "},
+                                              {"balancer.drag", "drag", "drag "},
+                                              {"balancer.race_radius", "race radius", "race radius "},
+                                              {"rotor.damping_ratio", "damping ratio", "damping ratio "},
+                                              {"rotor.stiffness", "stiffness", "stiffness "},
+                                              {"release.speed", "speed of release", "balls let go at "},
+                                              {"release.time", "time of release", "balls let go after "},
+                                              {"speed", "run-up", "run-up "}}};
+
+// Shares and times of the starts; quantiles are named by transient_figures.
+constexpr std::array<std::pair<const char*, const char*>, 7> known_figures{{
+    {"balanced", "starts that balance"},
+    {"passed", "starts that pass resonance"},
+    {"limits_kept", "starts within all limits"},
+    {"limits_kept_at_end", "starts within all limits at the end"},
+    {"limits_kept_on_the_way", "starts never over a limit on the way"},
+    {"undecided", "undecided starts"},
+    {"time_to_balance", "time to balance"},
+}};
 
 const Thing* known_thing(const std::string& key) {
-  const auto at = std::find_if(words::design::things.begin(), words::design::things.end(),
-                               [&](const Thing& t) { return key == t.key; });
-  return at == words::design::things.end() ? nullptr : &*at;
+  const auto at = std::find_if(known_things.begin(), known_things.end(), [&](const Thing& t) { return key == t.key; });
+  return at == known_things.end() ? nullptr : &*at;
 }
 
 // "12 mm" of balls whose size the study states.
@@ -108,7 +135,7 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
   const std::size_t dot = figure.name.find('.');
   const std::string column = figure.name.substr(0, dot);
   std::string words;
-  for (const auto& [name, meaning] : words::design::figures)
+  for (const auto& [name, meaning] : known_figures)
     if (column == name) words = meaning;
   for (const TransientFigure& f : transient_figures)
     if (column == f.name) words = f.title;
@@ -207,7 +234,7 @@ std::string things_chosen(const Study& study, const std::vector<DesignSetting>& 
   std::string words = balls_chosen(study, settings);
   for (const DesignSetting& s : settings) {
     if (s.key == "balancer.balls" || s.key == "balancer.ball_diameter" || s.key == "balancer.mass") continue;
-    if (setting_text(s.value) == words::design::as_given) continue;  // the study states none
+    if (setting_text(s.value) == design_as_given) continue;  // the study states none
     const Thing* thing = known_thing(s.key);
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thing ? thing->before : thing_of(s.key) + " ",
                          setting_text(s.value));
@@ -217,7 +244,7 @@ std::string things_chosen(const Study& study, const std::vector<DesignSetting>& 
 
 DesignVerdict design_verdict(const DesignResult& r) {
   if (r.leave_out)
-    return {fmt::format(words::text::leave_out, below_resonance_words(r.study)), words::decision::by_linear_theory,
+    return {fmt::format(leave_balancer_out, below_resonance_words(r.study)), by_linear_theory,
             "There is nothing to choose."};
   DesignVerdict verdict;
   const std::string partial = r.partial ? "PARTIAL: " : "";
@@ -226,7 +253,7 @@ DesignVerdict design_verdict(const DesignResult& r) {
             "Not known. A longer --within, or fewer values to choose from, may tell more."};
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  const std::string things = best.as_it_is ? words::design::as_given : things_chosen(r.study, best.settings);
+  const std::string things = best.as_it_is ? design_as_given : things_chosen(r.study, best.settings);
   const bool alone = r.limits.empty();
   if (best.as_it_is ? r.feasible : as_good_before(r, now))
     verdict.words = fmt::format("{}Leave it as it is: {}nothing found is shown to be better.{}", partial,

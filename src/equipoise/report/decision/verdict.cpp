@@ -14,7 +14,6 @@
 #include "equipoise/report/decision/below_resonance.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -209,8 +208,8 @@ std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const 
   // Known before a start is.
   const std::string below = r.transients ? below_resonance_words(r.study) : "";
   if (below.empty()) return std::nullopt;
-  return BalancerVerdict{Decision::do_not_fit, fmt::format(do_not_fit_because, below),
-                         words::decision::by_linear_theory, leave_it_out, true};
+  return BalancerVerdict{Decision::do_not_fit, fmt::format(do_not_fit_because, below), by_linear_theory, leave_it_out,
+                         true};
 }
 
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& r) {

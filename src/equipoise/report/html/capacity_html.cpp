@@ -17,7 +17,6 @@
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -36,7 +35,7 @@ class CapacityDocument {
       picture();
       table();
     }
-    add_machine(document_, machine_, words::pages::before_varied);
+    add_machine(document_, machine_, "in the study, before anything is varied");
     origin();
     return std::move(document_);
   }
@@ -57,7 +56,7 @@ class CapacityDocument {
 
   void table() {
     if (r_.axes.empty()) return table_of_trials();
-    add_cell_table(document_, capacity_table(r_, key_words), words::pages::csv_holds_all);
+    add_cell_table(document_, capacity_table(r_, key_words), "the CSV file holds all of them");
   }
 
   void table_of_trials() {

@@ -16,8 +16,6 @@
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/answers/design_words.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
-#include "equipoise/report/text/words.hpp"
-#include "equipoise/simulation/rule/words.hpp"
 
 namespace equipoise {
 
@@ -30,7 +28,7 @@ class DesignDocument {
   Document make() {
     const DesignVerdict verdict = design_verdict(r_);
     document_ = page_with(r_.study, verdict.words + " " + verdict.because);
-    add(Paragraph{std::string(words::pages::margins) + ": " + verdict.margins});
+    add(Paragraph{"How far each may be off: " + verdict.margins});
     if (r_.partial)
       add(Paragraph{
           fmt::format("Stopped early: what the search had found by then, judged on {}.",
@@ -87,10 +85,10 @@ class DesignDocument {
     }
     const std::string unit = v.unit.empty() ? "" : " " + v.unit;
     if (!v.spin_up) return fmt::format("{:.4g} to {:.4g}{}", v.low, v.high, unit);
-    const std::string slope =
-        v.spin_up->slope ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
-                                       v.spin_up->time_unit.empty() ? words::runs::unit_of_time : v.spin_up->time_unit)
-                         : "";
+    const std::string slope = v.spin_up->slope
+                                  ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
+                                                v.spin_up->time_unit.empty() ? "unit of time" : v.spin_up->time_unit)
+                                  : "";
     return fmt::format("{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}", v.spin_up->points,
                        plural(v.spin_up->points), v.low, v.high, unit, v.spin_up->until,
                        v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
@@ -107,7 +105,7 @@ class DesignDocument {
 
   void margins() {
     if (r_.margins.empty()) return;
-    add(Heading{2, words::pages::margins, ""});
+    add(Heading{2, "How far each may be off", ""});
     add(margin_table(r_, key_words));
     add_drawings(margin_plots(r_, 4), "What becomes of it as one number moves and all others stay.", false);
   }

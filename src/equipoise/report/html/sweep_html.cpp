@@ -18,7 +18,6 @@
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -48,7 +47,7 @@ class SweepDocument {
       pictures();
       table();
     }
-    add_machine(document_, machine_, words::pages::before_varied);
+    add_machine(document_, machine_, "in the study, before anything is varied");
     origin();
     return std::move(document_);
   }
@@ -105,7 +104,7 @@ class SweepDocument {
       table.caption = "Intervals hold only if the undecided starts end elsewhere; bounds hold however they end.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
       if (r_.cells[k]) table.rows.push_back(row_of(k));
-    add_cell_table(document_, std::move(table), words::pages::csv_holds_all);
+    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
   }
 
   // Only limits on what happens on the way.

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/answers/design_words.hpp"
@@ -61,7 +60,7 @@ std::vector<Plot> front_plots(const DesignResult& r) {
     Plot plot{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
     PlotSeries front{"not beaten by any", dark_colour, PlotSeries::Style::points, {}, {}, {}, {}};
     PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
-    PlotSeries before{words::design::as_given, "#666666", PlotSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries before{design_as_given, "#666666", PlotSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;

@@ -11,7 +11,6 @@
 #include "equipoise/report/plots/drawings.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -44,7 +43,7 @@ double highest_of(const MachinePage& page) {
 
 // Whose run it is, in words.
 std::string run_name(const MachinePage& page, const ShownRun& run) {
-  if (run.of == RunOf::bare) return words::text::without_balls;
+  if (run.of == RunOf::bare) return "without balls";
   constexpr std::uint64_t hundred = 100;
   if (run.of == RunOf::worst_in_hundred)
     return page.starts_drawn >= hundred ? "worst in a hundred" : fmt::format("worst of {} starts", page.starts_drawn);

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/one_study/words.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/design_words.hpp"
@@ -104,7 +103,7 @@ DocumentTable front_table(const DesignResult& r, KeyWords words) {
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  DocumentTable table{{"figure", words::design::as_given, "chosen", "must be"}, {}, "", false, {3}};
+  DocumentTable table{{"figure", design_as_given, "chosen", "must be"}, {}, "", false, {3}};
   const DesignSample* before = r.before ? &*r.before : nullptr;
   for (std::size_t k = 0; k < now.figures.size(); ++k) {
     table.rows.push_back(row_of(

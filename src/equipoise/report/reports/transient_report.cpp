@@ -15,7 +15,6 @@
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/results/types/fate.hpp"
 
@@ -287,7 +286,7 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
                       of_runs(body.open, body)));
     if (body.lost > 0) say(fmt::format("{} the rotor's motion is lost{}", how, of_runs(body.lost, body)));
   };
-  tell(r.without_balls->bare, words::text::without_balls);
+  tell(r.without_balls->bare, "without balls");
   tell(r.without_balls->held, "with balls held");
   return words;
 }

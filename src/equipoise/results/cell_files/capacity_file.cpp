@@ -9,7 +9,6 @@
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -55,9 +54,8 @@ void add_trials(io::CellDataset& data, const std::string& unit, const CapacityRe
       [](const CapacityTrial& t) { return static_cast<double>(t.balanced.total); });
   add("trial_share", "1", "share of the starts that end balanced",
       [](const CapacityTrial& t) { return t.balanced.share; });
-  add("trial_share_low", "1", words::files::lower_end,
-      [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.low; });
-  add("trial_share_high", "1", words::files::upper_end,
+  add("trial_share_low", "1", io::lower_end, [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.low; });
+  add("trial_share_high", "1", io::upper_end,
       [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.high; });
   add("trial_undecided", "1", "share of the starts that stay undecided",
       [](const CapacityTrial& t) { return t.undecided.share; });

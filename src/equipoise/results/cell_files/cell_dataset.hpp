@@ -12,6 +12,10 @@
 
 namespace equipoise::io {
 
+/// The meanings of columns with the ends of a share's interval.
+inline constexpr char lower_end[] = "lower end of its 95 % interval";
+inline constexpr char upper_end[] = "upper end of its 95 % interval";
+
 /// Records that the program itself reads back (cell_file.hpp), one after the other, and their ends. Missing ones are
 /// empty.
 struct CellRecords {

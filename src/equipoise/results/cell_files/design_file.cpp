@@ -11,7 +11,6 @@
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -43,8 +42,8 @@ void add_figures(Dataset& data, const DesignResult& result, const std::string& p
       return [k, end](const DesignSample& s) { return s.figures.empty() ? none : s.figures[k].*end; };
     };
     add(name, figure.unit, figure.name + " " + of, part(&DesignEstimate::value));
-    add(name + "_low", figure.unit, words::files::lower_end, part(&DesignEstimate::low));
-    add(name + "_high", figure.unit, words::files::upper_end, part(&DesignEstimate::high));
+    add(name + "_low", figure.unit, io::lower_end, part(&DesignEstimate::low));
+    add(name + "_high", figure.unit, io::upper_end, part(&DesignEstimate::high));
   }
 }
 

@@ -14,7 +14,6 @@
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
-#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -90,7 +89,7 @@ class SweepColumns {
     const auto name = [&](int code) { return kinds.at(code).first; };
     data_.add_texts("name", outcome_, codes_, name, "name of the outcome");
     const auto alias = [&](int code) { return kinds.at(code).second; };
-    data_.add_texts("alias", outcome_, codes_, alias, words::files::name_by_wright_and_peng);
+    data_.add_texts("alias", outcome_, codes_, alias, name_by_wright_and_peng);
   }
 
   void column(const std::string& name, const char* units, const std::string& meaning,
@@ -173,8 +172,8 @@ class SweepColumns {
       });
     };
     part("", words, &Share::share);
-    part("_low", words::files::lower_end, &Share::low);
-    part("_high", words::files::upper_end, &Share::high);
+    part("_low", io::lower_end, &Share::low);
+    part("_high", io::upper_end, &Share::high);
   }
 
   const SweepResult& result_;

@@ -16,6 +16,9 @@
 
 namespace equipoise {
 
+/// The value of a variable that the study does not state, and the column of the study itself.
+inline constexpr char design_as_given[] = "as it is";
+
 /// What may be chosen.
 struct DesignVariable {
   std::string key;   ///< as --set knows it; "speed": a spin-up

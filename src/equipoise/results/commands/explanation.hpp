@@ -11,7 +11,6 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
 #include "equipoise/machine/mechanics/whirl.hpp"
-#include "equipoise/results/types/words.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/units/units.hpp"
 

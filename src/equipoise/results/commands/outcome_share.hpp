@@ -12,6 +12,9 @@
 
 namespace equipoise {
 
+/// The meaning of `alias` in files.
+inline constexpr char name_by_wright_and_peng[] = "name that Wright and Peng (2019) give it";
+
 /// Starts that came to one attractor, or to one outcome without attractor.
 struct OutcomeShare {
   int id = 0;                   ///< the attractor's identifier, or a code of no_attractors

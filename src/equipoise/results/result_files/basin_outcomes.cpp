@@ -11,7 +11,6 @@
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
-#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -28,7 +27,7 @@ std::size_t add_outcome_kinds(Dataset& data, const std::string& before, const st
   const auto code = [&kinds](std::size_t k) { return kinds[k].id; };
   data.add(before + "code", "1", "value of outcome", {kind}, code, DataColumn::Type::small);
   data.add_texts(before + "name", kind, kinds, &OutcomeShare::name, "name of the outcome");
-  data.add_texts(before + "alias", kind, kinds, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
+  data.add_texts(before + "alias", kind, kinds, &OutcomeShare::alias, name_by_wright_and_peng);
   return kind;
 }
 
@@ -84,7 +83,7 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
     result.names[static_cast<short>(o.id)] = {o.name, o.alias};
   for (std::size_t i = 0; i < starts; ++i)
     if (!result.names.contains(result.outcome[i]))
-      throw InputError(path, "", "", fmt::format(words::files::outcome_without_name, i, result.outcome[i]));
+      throw InputError(path, "", "", fmt::format(outcome_without_name, i, result.outcome[i]));
   return result;
 }
 

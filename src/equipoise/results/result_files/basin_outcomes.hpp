@@ -13,6 +13,9 @@
 
 namespace equipoise {
 
+/// What is wrong with a record: start, outcome.
+inline constexpr char outcome_without_name[] = "is damaged: start {} has outcome {}, which the file does not name";
+
 struct BasinOutcomes {
   Study study;
   std::vector<short> outcome;  ///< of start i: an attractor's identifier, or a code such as undecided_code

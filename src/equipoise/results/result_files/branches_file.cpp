@@ -9,8 +9,8 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/types/words.hpp"
 
 namespace equipoise {
 
@@ -33,7 +33,7 @@ void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
   const auto id = [&r](std::size_t k) { return static_cast<double>(r.branches[k].id); };
   data.add("id", "1", "identifier, the same along the whole range", {attractor}, id, Type::integer);
   data.add_texts("name", attractor, r.branches, &Branch::name, "name of the attractor");
-  data.add_texts("alias", attractor, r.branches, &Branch::alias, words::files::name_by_wright_and_peng);
+  data.add_texts("alias", attractor, r.branches, &Branch::alias, name_by_wright_and_peng);
   const auto add_flag = [&](const char* name, const char* meaning, int (*of)(const Motion&), std::vector<int> flags,
                             const char* meanings) {
     const auto flag = [&r, of](std::size_t k) -> double {

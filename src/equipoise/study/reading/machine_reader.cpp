@@ -13,7 +13,7 @@
 #include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
-#include "equipoise/study/contents/words.hpp"
+#include "equipoise/study/reading/rules.hpp"
 
 namespace equipoise::study {
 
@@ -58,8 +58,7 @@ void read_grade(const StudyFile& file, Study& study) {
 
 // 12 for "12 %". Stated as a percentage a ratio may be above 1.
 void refuse_percentage(const StudyFile& file, const StudyValue& given) {
-  if (given.number() > 1.0)
-    file.fail("rotor.damping_ratio", fmt::format(words::machine::ratio_is_percentage, given.number()));
+  if (given.number() > 1.0) file.fail("rotor.damping_ratio", fmt::format(ratio_is_percentage, given.number()));
   if (const auto* each = given.array())
     for (const StudyValue& one : *each) refuse_percentage(file, one);
 }
@@ -68,10 +67,10 @@ void refuse_percentage(const StudyFile& file, const StudyValue& given) {
 void read_bearings(const StudyFile& file, TableReader& tilt, Study& study) {
   TableReader rotor(file, "rotor");
   for (const char* key : {"stiffness", "damping", "bearings_at", "bearings_stiffness", "bearings_damping"})
-    if (tilt.has(key)) tilt.fail(key, words::machine::bearings_state_it);
+    if (tilt.has(key)) tilt.fail(key, bearings_state_it);
   for (const char* key : {"stiffness", "natural_frequency", "static_sag", "damping", "damping_ratio",
                           "logarithmic_decrement", "quality_factor", "loss_factor"})
-    if (rotor.has(key)) rotor.fail(key, words::machine::bearings_state_it);
+    if (rotor.has(key)) rotor.fail(key, bearings_state_it);
   read_array(file, "rotor.tilt.bearings",
              "must be an array of tables, one a bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = "
              "\"300 N s/m\" }, ..]",
@@ -99,7 +98,7 @@ void read_places(const StudyFile& file, Study& study) {
              study.sheet.places, study);
   for (std::size_t i = 1; i <= study.sheet.places.size(); ++i) {
     TableReader place(file, fmt::format("place.{}", i));
-    if (!study.parameters.tilts() && place.has("at")) place.fail("at", words::study::only_of_tilt);
+    if (!study.parameters.tilts() && place.has("at")) place.fail("at", only_of_tilt);
     if (study.parameters.tilts()) place.require("at", wanted_of(*key_table("place").find("at", true), true).text());
   }
 }
@@ -159,7 +158,7 @@ void read_balancer(const StudyFile& file, Study& study) {
   if (reader.has("plane") != p.tilts())
     reader.fail("plane", p.tilts() ? "missing; rotor.tilt needs the place of each ball's race along the shaft, a "
                                      "number, or an array, one per ball"
-                                   : words::study::only_of_tilt);
+                                   : only_of_tilt);
 }
 
 namespace {

@@ -12,7 +12,6 @@
 #include "equipoise/core/base/typed_numbers.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -214,7 +213,7 @@ const std::vector<Need>& needs() {
   static const std::vector<Need> all{
       {{"rotor.eccentricity_angle", "initial.tilt_x", "initial.tilt_y", "initial.tilt_x_dot", "initial.tilt_y_dot"},
        [](const Study& s) { return s.parameters.tilts(); },
-       words::study::only_of_tilt},
+       only_of_tilt},
       {{"standards.severity_class", "standards.hand_held", "standards.standing_mass", "standards.friction"},
        [](const Study& s) { return s.scales || !s.standards.any(); },
        "needs a study in physical units, or with [units]"},
@@ -261,7 +260,7 @@ double number_of(Study& study, const UncertainValue& value, double drawn, const 
   if (wanted.is_quantity())
     return measure_value(written, wanted, [&](const std::string& problem) { refuse(value.key, problem); }).value;
   if (value.key == "rotor.damping_ratio" && written.number() > 1.0)
-    refuse(value.key, fmt::format(words::machine::ratio_is_percentage, drawn));
+    refuse(value.key, fmt::format(ratio_is_percentage, drawn));
   const double number = value.plain(drawn);
   if (!wanted.range.contains(number)) refuse(value.key, "must be " + wanted.text());
   return number;

@@ -12,6 +12,10 @@
 
 namespace equipoise::study {
 
+inline constexpr char only_of_tilt[] = "has a meaning only with rotor.tilt";
+inline constexpr char ratio_is_percentage[] = "must be at most 1, or a percentage; did you mean \"{:.6g} %\"?";
+inline constexpr char bearings_state_it[] = "follows from rotor.tilt.bearings; give either these or that";
+
 /// Throws an InputError about the dotted key.
 using Refuse = std::function<void(const std::string& key, const std::string& problem)>;
 

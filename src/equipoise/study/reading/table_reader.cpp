@@ -19,7 +19,6 @@
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/units.hpp"
-#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -266,7 +265,7 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
                        looks_physical(value) && !states_units() ? " (a study in physical units states rotor.mass)"
                        : value.table() && takes_distributions(prefix_)
-                           ? fmt::format(", or a distribution, {}", words::study::distribution_forms)
+                           ? fmt::format(", or a distribution, {}", distribution_forms)
                            : ""));
   const double number = percent.value_or(value.number());
   if (!range.contains(number)) {

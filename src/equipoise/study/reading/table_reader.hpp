@@ -21,6 +21,11 @@
 
 namespace equipoise::study {
 
+/// What a message about a distribution offers.
+inline constexpr char distribution_forms[] =
+    "{ uniform = [low, high] }, { normal = [mean, standard deviation] }, { loguniform = [low, high] } or { values = "
+    "[..] }, each entry equally likely";
+
 /// The allowed range of a number.
 struct Range {
   double low, high;

@@ -13,7 +13,6 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/units/units.hpp"
-#include "equipoise/study/contents/words.hpp"
 
 namespace equipoise::study {
 
@@ -48,13 +47,12 @@ class DistributionReader {
     bool found = false;
     for (std::size_t k = 0; k < distribution_names.size(); ++k) {
       if (!table_.find(distribution_names[k])) continue;
-      if (std::exchange(found, true))
-        fail(fmt::format("has two distributions; must be one of {}", words::study::distribution_forms));
+      if (std::exchange(found, true)) fail(fmt::format("has two distributions; must be one of {}", distribution_forms));
       value_.kind = static_cast<DistributionKind>(k);
     }
     for (const auto& [name, entry] : *table_.table())
       if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
-        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), words::study::distribution_forms));
+        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), distribution_forms));
   }
 
   std::vector<double> entries(const std::string& name) {
