@@ -44,7 +44,8 @@ SliceAxis axis_of(const Study& study, const std::string& text, const std::string
                                  text.starts_with("speed") ? "1.5:6" : "0.01:0.5"));
   if (equals == std::string::npos) return slice_axis(study, text, range, pixels, range_option);
   if (!range.empty())
-    throw InputError(range_option, "", display_text(range), fmt::format("{} has a range, too; give one", option));
+    throw InputError(range_option, "", display_text(range),
+                     fmt::format("{} already gives a range; give it only once", option));
   if (equals == 0 || equals + 1 == text.size())
     throw InputError(option, "", display_text(text), "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6");
   return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), pixels, option);

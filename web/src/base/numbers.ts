@@ -64,7 +64,7 @@ export class Units {
   constructor(scales: Scales | null) {
     this.time = scales ? { factor: scales.time, name: "s" } : { factor: 1, name: "1/ωc" };
     this.length = scales ? { factor: 1000 * scales.length, name: "mm" } : { factor: 1, name: "R" };
-    this.speed = scales ? { factor: scales.speed_rpm, name: "rpm" } : { factor: 1, name: "× critical" };
+    this.speed = scales ? { factor: scales.speed_rpm, name: "rpm" } : { factor: 1, name: "ωc" };
   }
 
   timeText = (value: number): string => digits(value * this.time.factor) + (this.time.name === "s" ? "\u00a0s" : "/ωc");
