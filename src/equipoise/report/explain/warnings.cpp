@@ -127,10 +127,7 @@ class Warnings {
            sag, text(1.0, Dimension::length));
   }
 
-  std::string text(double value, Dimension d) const {
-    return e_.study.scales ? engineering(value * study::scale_of(d, *e_.study.scales), d)
-                           : fmt::format("{:.5g}", value);
-  }
+  std::string text(double value, Dimension d) const { return engineering(e_.study.scales, value, d); }
 
   struct Share {
     double own = 0.0, least = 0.0, most = 0.0;  // unbalance, and what balls cancel

@@ -53,4 +53,8 @@ std::string engineering(double si, Dimension d) {
   return fmt::format("{:.5g} {}", si / unit.si, unit.name);
 }
 
+std::string engineering(const std::optional<model::Scales>& scales, double value, Dimension d) {
+  return scales ? engineering(value * study::scale_of(d, *scales), d) : fmt::format("{:.5g}", value);
+}
+
 }  // namespace equipoise

@@ -1,6 +1,7 @@
 // Quantities in the units that engineers use.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "equipoise/study/units/units.hpp"
@@ -18,5 +19,7 @@ EngineeringUnit engineering_unit(double si, study::Dimension dimension);
 
 /// "0.2 mm": five digits, in that unit.
 std::string engineering(double si, study::Dimension dimension);
+/// The same of a study's own number; without scales its five digits alone.
+std::string engineering(const std::optional<model::Scales>& scales, double value, study::Dimension dimension);
 
 }  // namespace equipoise

@@ -26,9 +26,7 @@ class Shown {
  public:
   explicit Shown(const Study& study) : scales_(study.scales) {}
 
-  std::string operator()(double value, Dimension d) const {
-    return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
-  }
+  std::string operator()(double value, Dimension d) const { return engineering(scales_, value, d); }
   // One value for all balls, or one per ball; `factor` (only in physical units) multiplies each.
   std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
     const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
@@ -80,16 +78,13 @@ std::string more_text(const Study& study) {
   const model::Parameters& p = study.parameters;
   const Shown shown(study);
   const auto both = [&](const std::array<double, 2>& v, Dimension d) {
-    return study.scales ? fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d))
-                        : fmt::format("[{:.6g}, {:.6g}]", v[0], v[1]);
+    return fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d));
   };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   if (p.stiffness[0] != p.stiffness[1]) add("stiffness " + both(p.stiffness, Dimension::stiffness));
   if (p.damping[0] != p.damping[1]) add("damping " + both(p.damping, Dimension::damping));
-  if (p.gravity != 0.0)
-    add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
-                     : fmt::format("gravity {:.6g}", p.gravity));
+  if (p.gravity != 0.0) add("gravity " + shown(p.gravity, Dimension::acceleration));
   if (p.tilts()) {
     const bool same = alike(p.tilt.plane, p.balls);
     add(fmt::format("tilts: transverse inertia {}, polar {}", shown(p.tilt.transverse_inertia, Dimension::inertia),
@@ -183,7 +178,7 @@ std::string study_heading(const Study& study) {
 }
 
 std::string rotor_speed_text(const Study& study, double speed) {
-  return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
+  return engineering(study.scales, speed, Dimension::speed);
 }
 
 const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
