@@ -16,7 +16,7 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
                      const std::string& option);
 
 /// Throws InputError about `made` ("map", "stability") if an axis has no range or a wrong number of `points`, as its
-/// Refuses axes without pixels or a range, and two of one key. `made`: what the error is about.
+/// parts are called, or if both axes have one key.
 void check_axes(const SliceAxis& x, const SliceAxis& y, const char* made, const char* points);
 
 /// "WIDTHxHEIGHT", each 1 to 20000.

@@ -10,7 +10,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/explain/balanced_motion.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"

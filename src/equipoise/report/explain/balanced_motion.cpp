@@ -1,9 +1,10 @@
 // What the rates near balance say of a study, with more and with less drag.
-#include "equipoise/report/explain/balanced_motion.hpp"
+#include "equipoise/report/explain/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 

@@ -12,31 +12,17 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
-#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
-#include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
 
 namespace {
 
-constexpr char final_speed_text[] = "final speed";
-constexpr char times_the_critical[] = "{}, {:.3g} times the {}critical speed{}";
-constexpr char and_with_balls[] = " with balls";
-constexpr char balanced_angles_text[] = "balanced angles";
-constexpr char one_of_continuum[] = " (one of a continuum)";
 constexpr char basin_takes[] = "basin takes";
 
 using model::Scales;
 using study::Dimension;
-
-double in_degrees(double angle) {
-  const double turn = std::fmod(angle * 180.0 / pi, 360.0);
-  return turn < 0.0 ? turn + 360.0 : turn;
-}
 
 // With spaces at which no line breaks; explain_text() makes them plain.
 constexpr std::string_view whole_space = "\u00a0";
@@ -47,8 +33,7 @@ std::string figure_text(const ExplainedQuantity& figure, const std::optional<Sca
   if (!figure.dimension) return plain;
   if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
   if (!scales) return plain;
-  return fmt::format("{} ({})",
-                     engineering(figure.value * study::scale_of(*figure.dimension, *scales), *figure.dimension), plain);
+  return fmt::format("{} ({})", engineering(scales, figure.value, *figure.dimension), plain);
 }
 
 class Text {
@@ -59,14 +44,13 @@ class Text {
     const std::string held = release_text(e_.study);
     text_ = e_.study.name + "\n" + (held.empty() ? "" : held + "\n") + "\n";
     table();
-    speeds();
-    balance();
-    if (e_.motion) motion(*e_.motion);
-    if (e_.bare) bare(*e_.bare);
-    if (e_.reynolds)
-      item("Reynolds number",
-           fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its final one",
-                       *e_.reynolds));
+    const FactNumbers numbers{[this](double value, Dimension d) { return either(value, d); },
+                              [this](double value, Dimension d) { return both(value, d); },
+                              [this](double low, double high, Dimension d) { return range(low, high, d); }};
+    for (const Fact& fact : facts(e_, numbers)) {
+      for (const std::string& line : fact.lines) item(&line == &fact.lines.front() ? fact.name : "", line);
+      if (e_.motion && fact.name == "approach to balance") eigenvalues(*e_.motion);
+    }
     rules();
     if (e_.cost) cost(*e_.cost);
     text_ += "\n";
@@ -78,27 +62,21 @@ class Text {
  private:
   static constexpr int label_width = 22;
 
-  std::string physical(double value, Dimension d) const { return engineering(value * study::scale_of(d, *scales_), d); }
+  std::string either(double value, Dimension d) const { return engineering(scales_, value, d); }
   // In both forms if there are scales, else dimensionless.
   std::string both(double value, Dimension d) const {
-    return scales_ ? fmt::format("{} ({:.5g})", physical(value, d), value) : fmt::format("{:.5g}", value);
+    return scales_ ? fmt::format("{} ({:.5g})", either(value, d), value) : either(value, d);
   }
-  // One end of a range: nothing, too, is in the other end's unit.
-  std::string end_of(double value, double other, Dimension d) const {
-    if (!scales_ || value != 0.0) return both(value, d);
-    return fmt::format("0 {} (0)", engineering_unit(other * study::scale_of(d, *scales_), d).name);
-  }
-  std::string either(double value, Dimension d) const {
-    return scales_ ? physical(value, d) : fmt::format("{:.5g}", value);
+  // A low end of 0 is in the high end's unit.
+  std::string range(double low, double high, Dimension d) const {
+    const std::string from =
+        scales_ && low == 0.0 ? fmt::format("0 {} (0)", engineering_unit(high * study::scale_of(d, *scales_), d).name)
+                              : both(low, d);
+    return fmt::format("from {} to {}", from, both(high, d));
   }
   void item(const std::string& label, const std::string& words) {
     text_ += fmt::format("{:<{}}{}\n", label, label_width, words);
   }
-  std::string by_direction(const std::array<double, 2>& values, Dimension d) const {
-    if (values[0] == values[1]) return both(values[0], d);
-    return fmt::format("x {}, y {}", both(values[0], d), both(values[1], d));
-  }
-
   void table() {
     DocumentTable quantities{{"symbol", "quantity", "physical", "dimensionless"}};
     if (!scales_) quantities.header.erase(quantities.header.begin() + 2);
@@ -110,60 +88,11 @@ class Text {
       if (scales_)
         row.insert(row.begin() + 2, !q.dimension                       ? number
                                     : *q.dimension == Dimension::angle ? number + " rad"
-                                                                       : physical(q.value, *q.dimension));
+                                                                       : either(q.value, *q.dimension));
       quantities.rows.push_back(row_of(scales_ ? "ttnn" : "ttn", row));
     }
     if (scales_) quantities.spare = {3};
     text_ += table_text(quantities, style_) + "\n";
-  }
-
-  std::string list(const std::vector<double>& values, Dimension d) const {
-    std::string text;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      text += (k == 0 ? "" : k + 1 < values.size() ? ", " : " and ") + either(values[k], d);
-    return text;
-  }
-
-  void whirl(const TiltExplanation& t) {
-    const bool balls = e_.study.parameters.balls > 0;
-    const char* label = "critical speed";
-    const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
-      const std::string held = fmt::format(", {} with them held", list(with, Dimension::speed));
-      item(label, fmt::format(fmt::runtime(words), list(alone, Dimension::speed), balls ? held : ""));
-      label = "";
-    };
-    if (!t.alone.of_both.empty()) return line("{} without balls{}", t.alone.of_both, t.with_balls.of_both);
-    line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward);
-    line("backward whirl: {} without balls{}; unbalance does not excite it", t.alone.backward, t.with_balls.backward);
-    if (t.alone.forward.size() == 1) item("", words::reports::one_forward_whirl);
-  }
-
-  void final_speed_of_tilt() {
-    if (!e_.speed) return item(final_speed_text, "none: " + e_.speed_words);
-    item(final_speed_text, fmt::format(times_the_critical, either(*e_.speed, Dimension::speed),
-                                       std::abs(*e_.speed) / e_.critical_with_balls[1],
-                                       e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "" : "highest ",
-                                       e_.study.parameters.balls > 0 ? and_with_balls : ""));
-    if (!e_.speed_words.empty()) item("", e_.speed_words);
-  }
-
-  void speeds() {
-    if (e_.tilt) {
-      whirl(*e_.tilt);
-      return final_speed_of_tilt();
-    }
-    const bool balls = e_.study.parameters.balls > 0;
-    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) +
-                               (balls ? " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) +
-                                            " with the balls in the race"
-                                      : ""));
-    if (!e_.speed) return item(final_speed_text, "none: " + e_.speed_words);
-    const double highest = std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]);
-    item(final_speed_text,
-         fmt::format(times_the_critical, either(*e_.speed, Dimension::speed), std::abs(*e_.speed) / highest,
-                     e_.critical_alone[0] == e_.critical_alone[1] ? "" : "higher ", balls ? and_with_balls : ""));
-    if (!e_.speed_words.empty()) item("", e_.speed_words);
-    if (e_.run_up) run_up(*e_.run_up);
   }
 
   void cost(const BasinCost& c) {
@@ -174,92 +103,6 @@ class Text {
     item(basin_takes, fmt::format("about {:.2g} s of CPU: {:.2g} s for the search for attractors, "
                                   "{:.2g} us for each of {} starts, measured on {}",
                                   c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
-  }
-
-  void run_up(const RunUp& r) {
-    const std::string to = either(r.speed, Dimension::speed);
-    item("run-up",
-         r.alone ? fmt::format("{} to {}, 95 % of that, without losses; the moment of inertia of rotor and balls is {}",
-                               either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
-                 : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
-    if (!r.alone) return;
-    item("", r.shaken ? fmt::format(
-                            "{} with the torque that the rotor's own unbalance absorbs up to sqrt(2) critical speeds{}",
-                            either(*r.shaken, Dimension::time),
-                            e_.study.parameters.balls > 0 ? "; what the balls add to that is left out" : "")
-                      : fmt::format("never with the torque that the rotor's own unbalance absorbs up to sqrt(2) "
-                                    "critical speeds: it stalls at {}",
-                                    either(r.stalls_at, Dimension::speed)));
-  }
-
-  void balance() {
-    item("can balance", verdict_text(e_));
-    if (e_.tilt)
-      planes(*e_.tilt);
-    else if (e_.study.parameters.balls == 0)
-      item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
-    else
-      item("",
-           fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
-                       end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                       both(e_.largest_unbalance, Dimension::unbalance), e_.ball_width.empty() ? "" : " side by side"));
-    if (e_.unbalance != e_.study.parameters.eccentricity)
-      item("", fmt::format("the rotor's own is {}; the off-centre race changes it to that at the final speed",
-                           both(e_.study.parameters.eccentricity, Dimension::unbalance)));
-    if (e_.sag > 0.0)
-      item("static sag",
-           fmt::format("{} under the weight of {}; displacements are measured from there, bearing forces include it",
-                       both(e_.sag, Dimension::length), both(e_.weight(), Dimension::force)));
-    if (e_.gravity_ratio)
-      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
-    if (e_.carrying) item("", carried_text(e_.study, *e_.carrying));
-    if (!e_.motion && e_.study.parameters.balls > 0) item("approach to balance", "unknown: " + e_.no_motion);
-  }
-
-  void planes(const TiltExplanation& t) {
-    item("", fmt::format(words::reports::static_and_couple, both(e_.unbalance, Dimension::unbalance),
-                         both(t.couple, Dimension::inertia)));
-    for (const ExplainedPlane& plane : t.planes)
-      item("",
-           fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
-                       both(plane.unbalance, Dimension::unbalance),
-                       end_of(plane.least, plane.most, Dimension::unbalance), both(plane.most, Dimension::unbalance)));
-  }
-
-  std::string states_of_tilt(bool family) const {
-    if (family) return one_of_continuum;
-    const std::size_t states = e_.balanced.angles.size();
-    return states > 1 ? fmt::format(" (one of {} states)", states) : "";
-  }
-
-  void motion(const BalancedMotion& m) {
-    std::string angles;
-    for (int i = 0; i < e_.study.parameters.balls; ++i)
-      angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
-    const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
-    if (e_.tilt)
-      item(balanced_angles_text,
-           fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? "{} degree from the couple unbalance{}"
-                                                                            : "{} degree from the rotor's angle 0{}"),
-                       angles, states_of_tilt(family)));
-    else
-      item(balanced_angles_text, fmt::format("{} degree from the heavy side{}", angles,
-                                             family                          ? one_of_continuum
-                                             : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
-                                                                             : ""));
-    const std::string where =
-        (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
-    const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
-    item("approach to balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
-                                                       either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
-                                : m.grows()
-                                    ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
-                                    : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
-    if (m.left)
-      item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
-                           both(*m.left, Dimension::length)));
-    if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
-    eigenvalues(m);
   }
 
   void eigenvalues(const BalancedMotion& m) {
@@ -292,42 +135,6 @@ class Text {
       line.erase(line.find_last_not_of(' ') + 1);
       item("", line);
     }
-  }
-
-  std::string slowest(double rate) const {
-    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format("growth rate {:.3g}", rate);
-  }
-
-  void bare_of_tilt(const BareVibration& v, const TiltExplanation& t) {
-    item(words::text::without_balls, by_direction(v.displacement, Dimension::length) +
-                                         " amplitude of the shaft at the centre of mass, at the final speed");
-    if (!t.at_bearings.empty())
-      item("", fmt::format("{} at the bearings, at the farthest", list(t.at_bearings, Dimension::length)));
-    if (!t.forces.empty()) item("", fmt::format(words::reports::forces_at_bearings, list(t.forces, Dimension::force)));
-    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on all supports together" +
-                 (t.forces.empty() ? ", in which a couple does not show" : ""));
-    quality(
-        "; in the worse of the outermost bearings' planes, each by its share, as ISO 21940-11 grades it: a figure, not "
-        "a certification");
-  }
-
-  // `how`: what it is of. Of a rotor that tilts without two bearings, why there is none.
-  void quality(const char* how) {
-    if (!scales_) return;
-    const auto grade = own_balance_grade(e_.study, *e_.speed);
-    item("balance quality", grade ? grade_text(*grade) + how
-                                  : "none: ISO 21940-11 judges a rotor that tilts in the planes of two "
-                                    "bearings; state rotor.tilt.bearings or rotor.tilt.bearings_at");
-  }
-
-  void bare(const BareVibration& v) {
-    if (e_.tilt) return bare_of_tilt(v, *e_.tilt);
-    const double w = std::abs(*e_.speed);
-    item(words::text::without_balls, by_direction(v.displacement, Dimension::length) + " amplitude at the final speed");
-    const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
-    item("", by_direction(rms, Dimension::velocity) + " rms velocity in one direction");
-    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on the supports");
-    quality("; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
   }
 
   void rules() {
@@ -363,14 +170,6 @@ class Text {
 };
 
 }  // namespace
-
-std::string verdict_text(const Explanation& e) {
-  if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
-  if (e.motion && !e.motion->stable)
-    return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
-  if (!e.motion) return "the balls have the mass and the room, but " + e.no_motion;
-  return e.study.parameters.gravity > 0.0 ? "yes, apart from what gravity adds" : "yes";
-}
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {
   constexpr std::size_t labels = 22;

@@ -1,17 +1,32 @@
-// A study explained, as text and as JSON.
+// A study explained: its facts, as text and as JSON.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/explanation.hpp"
 
 namespace equipoise {
 
+/// Something that follows from a study: "critical speed", what is known of it, and more about it line by line.
+struct Fact {
+  std::string name;
+  std::vector<std::string> lines;
+};
+/// How facts write their quantities, which are dimensionless.
+struct FactNumbers {
+  std::function<std::string(double, study::Dimension)> one, full;      ///< "0.2 mm"; where there is room for both forms
+  std::function<std::string(double, double, study::Dimension)> range;  ///< "from 0 to 3.6 kg mm"
+};
+/// In the order in which they are shown.
+std::vector<Fact> facts(const Explanation& e, const FactNumbers& numbers);
+
 /// Whether the balls can balance the rotor, in one line.
 std::string verdict_text(const Explanation& e);
 
-/// Text; in physical units wherever the study has scales.
+/// Quantities, facts, rules of thumb and warnings; in physical units wherever the study has scales.
 std::string explain_text(const Explanation& e, const TextStyle& style = wide_style);
 
 /// JSON.

@@ -1,9 +1,10 @@
 // The parts of an explanation, in the order in which explain() makes them.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
+#include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/results/commands/explanation.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -12,12 +13,10 @@ namespace equipoise {
 /// A study's quantities, in the order of its own tables.
 std::vector<ExplainedQuantity> quantity_table(const Study& study);
 
-/// Fills `e.speed` and what is said of it: of a motor, where a balanced rotor needs what the motor gives; of a motor
-/// that lets go, the speed then if nothing has braked the rotor.
-void put_final_speed(Explanation& e);
-/// When a ramp function reaches its last speed; none if it is constant.
-std::optional<double> last_time(const RampSetting& s);
-
+/// Fills `e.motion`, or `e.no_motion` with why not. Where the equations depend on the rotor's angle, by the multipliers
+/// of the motion that a balanced state becomes. Gravity is left out of a continuum, and where a ball's weight exceeds
+/// its centrifugal force.
+void linearise(Explanation& e, const StopFlag* stop);
 /// The angle that each ball takes up in the race, also where the study lets balls pass each other: real ones cannot.
 /// Empty where the study does not give their size.
 std::vector<double> ball_widths(const Study& study);
@@ -32,5 +31,9 @@ void explain_tilt(Explanation& e);
 
 /// To an explanation that has all else.
 void add_warnings(Explanation& e);
+
+/// Which of the estimated quantities matters most for balance, what a change of it does, and how that was judged. Once
+/// `stop` is set, that it was stopped.
+std::string what_matters_most(const Study& study, const StopFlag* stop);
 
 }  // namespace equipoise

@@ -15,12 +15,11 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/decision/below_resonance.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/what_matters.hpp"
+#include "equipoise/report/explain/parts.hpp"
 #include "equipoise/report/text/carrying_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/study/units/units.hpp"
 
@@ -28,19 +27,19 @@ namespace equipoise {
 
 namespace {
 
-constexpr char no_speed_held[] = "; no speed is held in the end";
 constexpr char up_to[] = "up to";
 constexpr char at_most[] = "at most";
 using study::Dimension;
 
 // "12 kg" of a study with scales, else "0.05 R".
 std::string quantity(const Study& s, double value, Dimension dimension) {
-  if (s.scales) return engineering(value * study::scale_of(dimension, *s.scales), dimension);
-  return fmt::format("{:.5g} {}", value, study::words(dimension).dimensionless);
-}
-
-std::string speed_of(const Study& s, double speed) {
-  return s.scales ? rotor_speed_text(s, speed) : fmt::format("{:.5g} omega_c", speed);
+  const std::string number = engineering(s.scales, value, dimension);
+  if (s.scales) return number;
+  const char* unit = dimension == Dimension::mass        ? "M"
+                     : dimension == Dimension::stiffness ? "k"
+                     : dimension == Dimension::inertia   ? "M R^2"
+                                                         : study::words(dimension).dimensionless;
+  return number + " " + unit;
 }
 
 // Two values, told once if they are alike.
@@ -49,59 +48,44 @@ std::string of_both(const std::array<double, 2>& values, Text&& text) {
   return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));
 }
 
-const char* with_balls(const Explanation& e) { return e.study.parameters.balls > 0 ? " with its balls" : ""; }
-
-// Of a machine that tilts: its critical speeds and its speed.
-std::string whirl_words(const Explanation& e) {
-  std::string speeds;
-  for (const double speed : e.tilt->with_balls.excited())
-    speeds += (speeds.empty() ? "" : ", ") + speed_of(e.study, speed);
-  const std::string line = fmt::format(", tilting, critical speeds {}", speeds) + with_balls(e);
-  if (!e.speed) return line + no_speed_held;
-  return line + fmt::format("; runs at {}, {:.3g} times the highest", speed_of(e.study, *e.speed),
-                            std::abs(*e.speed) / e.critical_with_balls[1]);
-}
-
 std::string machine_line(const Explanation& e) {
   const Study& s = e.study;
-  std::string line = s.scales ? fmt::format("{} on ", engineering(s.scales->mass, Dimension::mass)) : "supports of ";
-  const auto stiffness = [&](double kappa) {
-    return s.scales ? engineering(kappa * study::scale_of(Dimension::stiffness, *s.scales), Dimension::stiffness)
-                    : fmt::format("{:.5g} k", kappa);
-  };
-  line += of_both(s.parameters.stiffness, stiffness);
-  if (e.tilt) return line + whirl_words(e);
-  line += fmt::format(", critical speed {}", of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); })) +
-          with_balls(e);
-  const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
+  const auto& [first, second] = e.critical_with_balls;
+  const auto speed = [&](double v) { return quantity(s, v, Dimension::speed); };
+  std::string speeds,
+      line = s.scales ? fmt::format("{} on ", engineering(s.scales->mass, Dimension::mass)) : "supports of ";
+  line += of_both(s.parameters.stiffness, [&](double kappa) { return quantity(s, kappa, Dimension::stiffness); });
+  if (e.tilt)
+    for (const double critical : e.tilt->with_balls.excited()) speeds += (speeds.empty() ? "" : ", ") + speed(critical);
+  line += e.tilt ? ", tilting, critical speeds " + speeds : ", critical speed " + of_both(e.critical_with_balls, speed);
+  if (s.parameters.balls > 0) line += " with its balls";
+  if (!e.speed) return line + "; no speed is held in the end";
   if (e.run_up && !e.run_up->shaken)
-    line +=
-        fmt::format("; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives",
-                    speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
-  else if (e.speed)
-    line += fmt::format("; runs at {}, {:.3g} times {}", speed_of(s, *e.speed), std::abs(*e.speed) / critical,
-                        e.critical_with_balls[0] == e.critical_with_balls[1] ? "that" : "the higher");
-  else
-    line += no_speed_held;
-  return line;
+    return line +
+           fmt::format(
+               "; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives",
+               speed(*e.speed), speed(e.run_up->stalls_at));
+  return line + fmt::format("; runs at {}, {:.3g} times {}", speed(*e.speed),
+                            std::abs(*e.speed) / std::max(first, second),
+                            e.tilt            ? "the highest"
+                            : first == second ? "that"
+                                              : "the higher");
 }
 
 std::string unbalance_line(const Explanation& e) {
   const Study& s = e.study;
   const double eccentricity = s.parameters.eccentricity;
   std::string line = quantity(s, eccentricity, Dimension::unbalance);
-  if (e.tilt)
-    line = fmt::format(
-        "{} static and {} couple", line,
-        s.scales ? quantity(s, e.tilt->couple, Dimension::inertia) : fmt::format("{:.5g} M R^2", e.tilt->couple));
+  if (e.tilt) line = fmt::format("{} static and {} couple", line, quantity(s, e.tilt->couple, Dimension::inertia));
   if (s.scales) {
     line += fmt::format(", its centre of mass {} from the shaft", quantity(s, eccentricity, Dimension::length));
     if (const auto grade = e.speed ? own_balance_grade(s, *e.speed) : std::nullopt)
       line += fmt::format(fmt::runtime(e.tilt ? "; {} in the worse plane of its bearings at {}" : "; {} at {}"),
-                          grade_text(*grade), speed_of(s, *e.speed));
+                          grade_text(*grade), quantity(s, *e.speed, Dimension::speed));
   }
   if (!e.tilt && e.unbalance != eccentricity)
-    line += fmt::format(words::study_check::with_the_race, quantity(s, e.unbalance, Dimension::unbalance));
+    line += fmt::format("; the off-centre race makes it {} at the final speed, which the balls have to cancel",
+                        quantity(s, e.unbalance, Dimension::unbalance));
   return line;
 }
 
@@ -145,11 +129,8 @@ std::string balls_line(const Explanation& e) {
   if (p.balls == 0) return "none: nothing cancels the unbalance";
   const auto [least, most] = std::minmax_element(p.mass.begin(), p.mass.begin() + p.balls);
   std::string masses = quantity(s, *least, Dimension::mass);
-  if (!s.scales) masses = fmt::format("{:.5g} M", *least);
-  if (*least != *most)
-    masses += s.scales ? " to " + quantity(s, *most, Dimension::mass) : fmt::format(" to {:.5g} M", *most);
-  std::string line = fmt::format("{} of {} {}", p.balls, masses, p.balls == 1 ? "" : "each");
-  if (line.back() == ' ') line.pop_back();
+  if (*least != *most) masses += " to " + quantity(s, *most, Dimension::mass);
+  std::string line = fmt::format("{} of {}{}", p.balls, masses, p.balls == 1 ? "" : " each");
   if (s.scales) line += fmt::format(" on a circle of {}", engineering(s.scales->length, Dimension::length));
   if (e.tilt) return line + planes_words(e);
   const std::string least_cancelled =
@@ -240,7 +221,7 @@ class Assumptions {
 const char* const medians_assumed = "uncertain values at their medians";
 
 std::string StudyCheck::text() const {
-  const std::string first = leave_out.empty() ? "" : fmt::format(words::text::leave_out, leave_out) + "\n";
+  const std::string first = leave_out.empty() ? "" : fmt::format(leave_balancer_out, leave_out) + "\n";
   return first + fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n", machine,
                              unbalance, balls, fmt::join(assumed, "; "), most);
 }

@@ -1,6 +1,6 @@
 // Each quantity changed by a fifth, and the oil's temperature by 10 K: what that does to capacity, to the approach to
 // balance, and to what must be overcome on the way.
-#include "equipoise/report/explain/what_matters.hpp"
+#include "equipoise/report/explain/parts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -14,13 +14,10 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/explain/explain_report.hpp"
-#include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
-#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/words.hpp"
 
 namespace equipoise {
 
@@ -68,112 +65,20 @@ DocumentTable advice_table(const Explanation& e) {
   return table;
 }
 
-// What follows from a study without simulation.
-class Derived {
- public:
-  explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
-
-  std::vector<std::array<std::string, 2>> rows() const {
-    std::vector<std::array<std::string, 2>> rows{
-        {"critical speed", speeds()}, {"unbalance", unbalance()}, {"can balance", verdict_text(e_)}};
-    if (e_.bare)
-      rows.push_back(
-          {words::text::without_balls,
-           fmt::format(
-               fmt::runtime(e_.tilt
-                                ? "shakes by {} at the centre of mass at the final speed, {} on all supports together"
-                                : "shakes by {} at the final speed, {} on the supports"),
-               by_direction(e_.bare->displacement, Dimension::length), by_direction(e_.bare->force, Dimension::force)) +
-               (e_.tilt && !e_.tilt->at_bearings.empty()
-                    ? "; " + fmt::format("{} at the bearings, at the farthest",
-                                         list(e_.tilt->at_bearings, Dimension::length))
-                    : "") +
-               (e_.tilt && !e_.tilt->forces.empty()
-                    ? "; " + fmt::format(words::reports::forces_at_bearings, list(e_.tilt->forces, Dimension::force))
-                    : "")});
-    if (e_.motion)
-      rows.push_back({"approach to balance",
-                      (e_.motion->stable ? fmt::format("stable, slowest time constant {}",
-                                                       shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
-                                         : "not stable by linear theory") +
-                          (e_.motion->less.empty() ? "" : ", " + e_.motion->less)});
-    return rows;
-  }
-
- private:
-  std::string by_direction(const std::array<double, 2>& v, Dimension d) const {
-    return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
-  }
-
-  std::string list(const std::vector<double>& values, Dimension d) const {
-    std::string text;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      text += (k == 0 ? "" : k + 1 < values.size() ? ", " : " and ") + shown_.text(values[k], d);
-    return text;
-  }
-
-  std::string speeds_of_tilt(const TiltExplanation& t) const {
-    const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
-      const std::string held = study_.parameters.balls > 0
-                                   ? fmt::format(", {} with them held", list(with, Dimension::speed))
-                                   : std::string();
-      return fmt::format(fmt::runtime(words), list(alone, Dimension::speed), held);
-    };
-    std::string text = t.alone.of_both.empty()
-                           ? line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward)
-                           : line("{} without balls{}", t.alone.of_both, t.with_balls.of_both);
-    if (t.alone.of_both.empty() && t.alone.forward.size() == 1)
-      text += std::string("; ") + words::reports::one_forward_whirl;
-    if (e_.speed)
-      text += fmt::format("; final speed {}, {:.3g} times the highest", shown_.text(*e_.speed, Dimension::speed),
-                          std::fabs(*e_.speed) / e_.critical_with_balls[1]);
-    return text;
-  }
-
-  std::string unbalance_of_tilt(const TiltExplanation& t) const {
-    std::string text = fmt::format(words::reports::static_and_couple, shown_.text(e_.unbalance, Dimension::unbalance),
-                                   shown_.text(t.couple, Dimension::inertia));
-    for (const ExplainedPlane& plane : t.planes)
-      text += "; " + fmt::format(words::reports::plane_cancels, shown_.text(plane.at, Dimension::length),
-                                 shown_.text(plane.unbalance, Dimension::unbalance),
-                                 shown_.text(plane.least, Dimension::unbalance),
-                                 shown_.text(plane.most, Dimension::unbalance));
-    return text + grade_without_balls();
-  }
-
-  std::string speeds() const {
-    if (e_.tilt) return speeds_of_tilt(*e_.tilt);
-    std::string text = by_direction(e_.critical_alone, Dimension::speed);
-    if (study_.parameters.balls > 0)
-      text += " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
-    if (e_.speed)
-      text += fmt::format("; final speed {}, {:.3g} times {}", shown_.text(*e_.speed, Dimension::speed),
-                          std::fabs(*e_.speed) / std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]),
-                          e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "that" : "the higher");
-    return text;
-  }
-
-  std::string unbalance() const {
-    if (e_.tilt) return unbalance_of_tilt(*e_.tilt);
-    std::string text = shown_.text(study_.parameters.eccentricity, Dimension::unbalance);
-    if (e_.unbalance != study_.parameters.eccentricity)
-      text += fmt::format(words::study_check::with_the_race, shown_.text(e_.unbalance, Dimension::unbalance));
-    if (study_.parameters.balls > 0)
-      text += fmt::format("; the balls can cancel {}{}",
-                          shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                          e_.ball_width.empty() ? "" : " side by side");
-    return text + grade_without_balls();
-  }
-
-  std::string grade_without_balls() const {
-    const auto grade = e_.speed ? own_balance_grade(study_, *e_.speed) : std::nullopt;
-    return grade ? fmt::format("; {} without balls", grade_text(*grade)) : "";
-  }
-
-  const Explanation& e_;
-  const Study& study_;
-  const PageQuantities shown_;
-};
+// What follows from a study without simulation, but for what only specialists ask.
+DocumentTable facts_table(const Explanation& e) {
+  constexpr std::array<std::string_view, 6> shown{"critical speed",      "final speed",   "can balance",
+                                                  "approach to balance", "without balls", "balance quality"};
+  const PageQuantities quantities(e.study);
+  const auto one = [&](double value, Dimension d) { return quantities.text(value, d); };
+  const FactNumbers numbers{one, one,
+                            [&](double low, double high, Dimension d) { return quantities.range(low, high, d); }};
+  DocumentTable table{{"follows", "without any simulation"}};
+  for (const Fact& fact : facts(e, numbers))
+    if (std::find(shown.begin(), shown.end(), fact.name) != shown.end())
+      table.rows.push_back({{fact.name, Tone::plain, false, true}, {fmt::format("{}", fmt::join(fact.lines, "; "))}});
+  return table;
+}
 
 }  // namespace
 
@@ -235,10 +140,7 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
     table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
   }
   add(std::move(table));
-  DocumentTable facts{{"follows", "without any simulation"}};
-  for (const auto& [name, text] : Derived(machine.explanation).rows())
-    facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
-  add(std::move(facts));
+  add(facts_table(machine.explanation));
   DocumentTable rules = advice_table(machine.explanation);
   rules.folded = fold;
   if (fold) rules.caption = "Rules of thumb: " + rules.caption;
