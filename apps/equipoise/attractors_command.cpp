@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "equipoise/analyses/continuation/continuation.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
-#include "equipoise/report/plots/branch_plot.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/branches_file.hpp"
 #include "options.hpp"

@@ -7,10 +7,10 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/design/design.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/design_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/plots/design_plots.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"

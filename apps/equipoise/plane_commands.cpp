@@ -16,7 +16,7 @@
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/map_html.hpp"
-#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "help.hpp"
 #include "options.hpp"

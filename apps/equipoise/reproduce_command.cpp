@@ -14,7 +14,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"
 #include "progress.hpp"

@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/plots/sweep_drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/sweep_html.hpp"
 #include "equipoise/report/reports/reports.hpp"

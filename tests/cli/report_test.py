@@ -117,7 +117,7 @@ class Machines(Case):
         self.assertNotIn("What to change", run_page(self.path("as-it-is.html"), "report", WASHER, "--starts", "60", "--no-changes", "-o").text)
         for words in ("What to change", "as it is", "changes tried, each on 100 starts", "What was assumed", "worst of 60 starts",
                       "without balls: peak", "mass 40 kg", "unbalance 100 kg mm", "limit 15 mm", "displacement, mm", "speed, rpm",
-                      "G 314 (within grade G 630) without balls", ">G 0<"):
+                      "G 314 (within grade G 630); eps omega", ">G 0<"):
             self.assertIn(words, page.text)
         self.assertEqual(page.loads, [])
 

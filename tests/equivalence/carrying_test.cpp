@@ -9,7 +9,7 @@
 #include "equipoise/machine/balance/carrying.hpp"
 #include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/explain/study_check.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
+#include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/studies.hpp"

@@ -12,7 +12,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
-#include "equipoise/report/plots/drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/report/shown/motion_path.hpp"

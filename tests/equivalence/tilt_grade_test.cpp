@@ -224,7 +224,8 @@ TEST(TiltGrade, NeedsTwoBearings) {
   };
   const std::string graded = page(bearings);
   EXPECT_TRUE(says(graded, "grade of the unbalance that is left in the plane of the outermost bearing"));
-  EXPECT_TRUE(says(graded, "(within grade G 100) without balls")) << own_balance_grade(with.study, 3.14).value_or(0.0);
+  EXPECT_TRUE(says(graded, "(within grade G 100); in the worse of the outermost bearings"))
+      << own_balance_grade(with.study, 3.14).value_or(0.0);
   EXPECT_FALSE(says(page(none), "grade of the unbalance that is left"));
 }
 

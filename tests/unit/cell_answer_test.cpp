@@ -9,7 +9,7 @@
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/plots/sweep_layers.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"

@@ -8,10 +8,9 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/core/base/display_text.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
-#include "equipoise/report/plots/zero_line.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
 
 namespace equipoise {
 namespace plot_file_test {

@@ -19,7 +19,6 @@
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/csv.hpp"
-#include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/attractors_result.hpp"
 #include "equipoise/results/commands/basin_result.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/drawing/svg.hpp"

@@ -13,7 +13,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/motion_words.hpp"

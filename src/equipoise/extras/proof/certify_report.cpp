@@ -11,7 +11,6 @@
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -115,7 +114,8 @@ Json state_json(const StateProof& s, const model::System& system) {
 }  // namespace
 
 std::string certify_text(const CertifyResult& r, const TextStyle& style) {
-  std::string text = fmt::format("{}: speed {}\n", r.study.name, rotor_speed_text(r.study, r.speed));
+  std::string text =
+      fmt::format("{}: speed {}\n", r.study.name, engineering(r.study.scales, r.speed, study::Dimension::speed));
   if (!r.note.empty())
     text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", note_text(r.study, r.note));
   text = lines_filled(text, style);

@@ -11,7 +11,7 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -22,23 +22,15 @@ namespace {
 constexpr std::array four{"#0072B2", "#D55E00", "#009E73", "#E69F00"};
 
 void add(PlotSeries& series, double x, const Share& share) {
-  series.x.push_back(x);
-  series.y.push_back(100.0 * share.share);
-  series.low.push_back(100.0 * share.low);
-  series.high.push_back(100.0 * share.high);
+  series.add(x, 100.0 * share.share, 100.0 * share.low, 100.0 * share.high);
 }
 
 // Balanced share of every row: printed, published law, kinematic law. Empty for table 7, whose rows share no axis.
 std::optional<Plot> table_plot(const ReproducedTable& table) {
   using Style = PlotSeries::Style;
   if (table.published->number == 7) return {};
-  Plot plot{"",
-            table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
-            "balanced share, %",
-            table.published->number == 3,
-            false,
-            false,
-            {}};
+  Plot plot{"", table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
+            "balanced share, %", table.published->number == 3};
   std::vector<std::string> names;  // of series, in the order of the table
   for (const ReproducedRow& row : table.rows)
     if (names.empty() || names.back() != row.published->series) names.push_back(row.published->series);
@@ -46,15 +38,10 @@ std::optional<Plot> table_plot(const ReproducedTable& table) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::string of = names[k].empty() ? "" : names[k] + ": ";
     const Style style = k % 2 == 0 || many ? Style::line : Style::dashed;
-    PlotSeries published{of + (table.published->ramps ? "published law" : "computed"),
-                         many ? four[k % 4] : dark_colour,
-                         style,
-                         {},
-                         {},
-                         {},
-                         {}},
-        kinematic{of + "kinematic law", light_colour, style, {}, {}, {}, {}},
-        printed{k + 1 == names.size() ? "printed" : "", "#222222", Style::points, {}, {}, {}, {}};
+    PlotSeries published{of + (table.published->ramps ? "published law" : "computed"), many ? four[k % 4] : dark_colour,
+                         style},
+        kinematic{of + "kinematic law", light_colour, style},
+        printed{k + 1 == names.size() ? "printed" : "", "#222222", Style::points};
     for (const ReproducedRow& row : table.rows) {
       if (row.published->series != names[k]) continue;
       printed.x.push_back(row.published->parameter);
@@ -78,7 +65,7 @@ std::vector<Plot> figure_plots(const PaperFigure& figure) {
     Plot plot{panel.title, "time t (units of 1/ω_c)", "r (race radii)", false, true, true, {}};
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const FigureSeries& s = panel.series[k];
-      plot.series.push_back({s.label, k == 0 ? dark_colour : light_colour, PlotSeries::Style::line, s.t, s.r, {}, {}});
+      plot.series.push_back({s.label, k == 0 ? dark_colour : light_colour, PlotSeries::Style::line, s.t, s.r});
     }
     plots.push_back(std::move(plot));
   }
@@ -87,9 +74,9 @@ std::vector<Plot> figure_plots(const PaperFigure& figure) {
 
 // Balanced share against speed, for starts in the box and at rest.
 Plot plot_of_box(const OpenQuestions& open) {
-  Plot plot{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
-  PlotSeries box{"starts in the box", light_colour, PlotSeries::Style::line, {}, {}, {}, {}};
-  PlotSeries rest{"starts at rest", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+  Plot plot{"", "speed Ω / critical speed", "balanced share, %"};
+  PlotSeries box{"starts in the box", light_colour};
+  PlotSeries rest{"starts at rest", dark_colour};
   for (const BoxShares& b : open.boxes) {
     add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
     add(rest, b.speed, b.rest.attractors.front().share);

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 

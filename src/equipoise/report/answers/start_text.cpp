@@ -20,18 +20,14 @@ const char* held_by_default(Profile profile) {
   return profile == Profile::points ? "the last point of the speed" : "the end of the ramp";
 }
 
-std::string quantity(const Study& study, double value, study::Dimension d) {
-  return study.scales ? engineering(value * study::scale_of(d, *study.scales), d) : fmt::format("{:.6g}", value);
-}
-
 }  // namespace
 
 std::string release_text(const Study& study) {
   const double until = study.release_time();
   if (!(until > 0.0)) return "";
-  const auto speed = [&] { return quantity(study, *study.release.speed, study::Dimension::speed); };
+  const auto speed = [&] { return engineering(study.scales, *study.release.speed, study::Dimension::speed); };
   if (std::isinf(until)) return "balls held until the rotor comes to " + speed();
-  std::string text = "balls held until t = " + quantity(study, until, study::Dimension::time);
+  std::string text = "balls held until t = " + engineering(study.scales, until, study::Dimension::time);
   if (study.release.speed) return text + ", at speed " + speed();
   return study.release.time ? text : fmt::format("{}, {}", text, held_by_default(study.speed.profile));
 }

@@ -189,6 +189,24 @@ std::vector<Block> standards_blocks(const BasinResult& r) {
   return blocks;
 }
 
+std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
+  std::vector<std::vector<Block>> groups;
+  if (tells_without_balls(r)) {
+    std::vector<Block>& group = groups.emplace_back();
+    group.push_back(without_balls_table(r));
+    for (const std::string& sentence : without_balls_words(r)) group.push_back(Paragraph{sentence});
+  }
+  if (!r.transients || r.transients->groups.empty() || r.transients->groups.front().starts == 0) return groups;
+  const TransientGroup& all = r.transients->groups.front();
+  if (DocumentTable limits = limits_table(all, r.study); !limits.rows.empty()) {
+    std::vector<Block>& group = groups.emplace_back();
+    group.push_back(std::move(limits));
+    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) group.push_back(Paragraph{hits});
+  }
+  if (std::vector<Block> standards = standards_blocks(r); !standards.empty()) groups.push_back(std::move(standards));
+  return groups;
+}
+
 std::string standards_text(const BasinResult& r, const TextStyle& style) {
   const std::vector<Block> blocks = standards_blocks(r);
   return blocks.empty() ? "" : blocks_text(blocks, style);

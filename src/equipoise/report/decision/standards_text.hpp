@@ -16,6 +16,10 @@ namespace equipoise {
 std::vector<Block> standards_blocks(const BasinResult& result);
 /// The same for the terminal, with an empty line at its end.
 std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
+/// In groups: the rotor without balls beside that with them; which limits are kept; what standards make of it. A group
+/// that has nothing to tell is left out.
+std::vector<std::vector<Block>> balancer_blocks(const BasinResult& result);
+
 /// The object "standards" of basin_json(); null where standards_text() is empty.
 Json standards_json(const BasinResult& result);
 

@@ -1,5 +1,5 @@
 // What an engineer would change first, each as a study.
-#include "equipoise/report/decision/usual_changes.hpp"
+#include "equipoise/report/decision/try_changes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +105,9 @@ class Changes {
     s.release.speed = speed;
     s.initial.phi_dot.fill(0.0);
     s.sampling.box = {};
-    add(fmt::format("a latch that holds the balls until {}", rotor_speed_text(study_, std::fabs(speed))), std::move(s));
+    add(fmt::format("a latch that holds the balls until {}",
+                    engineering(study_.scales, std::fabs(speed), study::Dimension::speed)),
+        std::move(s));
   }
 
   void faster() {

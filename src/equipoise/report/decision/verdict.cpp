@@ -2,17 +2,19 @@
 #include "equipoise/report/decision/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/report/decision/times_bare.hpp"
 #include "equipoise/report/decision/verdict_json.hpp"
 #include "equipoise/core/base/percent_text.hpp"
-#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/text/text.hpp"
+#include "equipoise/study/contents/below_resonance.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 
 namespace equipoise {
@@ -23,8 +25,69 @@ constexpr char fit_if_it_may_shake[] = "Fit it only if more vibration on the way
 constexpr char do_not_fit_because[] = "Do not fit it: {}.";
 constexpr char leave_it_out[] = "Leave the balancer out.";
 
+// The share of starts that have to keep all limits if [limits] states none.
+constexpr double usual_required_share = 0.95;
+// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
+constexpr double larger_peak = 1.1, quieter_end = 0.5;
+
 constexpr std::size_t median = 0, ninety = 1;
 static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
+
+// An ensemble's vibration over that of the same rotors without balls.
+// Where every start has the same rotor, that rotor's one run is what each start is compared with; else each of the
+// first starts is compared with the run of its own rotor.
+struct TimesBare {
+  // Of starts, by their RMS velocity at the end over that without balls; bounds hold however undecided starts end.
+  std::array<QuantileEstimate, reported_quantiles.size()> end_velocity{};
+  // The peak that nine starts of ten stay below, over the peak that nine rotors of ten stay below without balls.
+  QuantileEstimate peak;
+};
+
+// What never vibrates is no louder than what does not either.
+double over(double with, double bare) { return with == 0.0 ? 0.0 : with / bare; }
+
+QuantileEstimate over(const QuantileEstimate& with, double bare) {
+  return {over(with.value, bare), over(with.low, bare), over(with.high, bare)};
+}
+
+TimesBare over_one_run(const TransientGroup& with, const TransientGroup& bare) {
+  TimesBare times;
+  for (std::size_t q = 0; q < reported_quantiles.size(); ++q)
+    times.end_velocity[q] =
+        over(with.sure_end_velocity[q], bare.figure(&TransientRow::rms_velocity).quantiles[q].value);
+  times.peak = over(with.figure(&TransientRow::peak_radial).quantiles[ninety],
+                    bare.figure(&TransientRow::peak_radial).quantiles[ninety].value);
+  return times;
+}
+
+// Undecided starts may come to rest, or to more than any other.
+TimesBare pair_by_pair(const std::vector<PairedStart>& with, const std::vector<PairedStart>& bare) {
+  Distribution seen, least, most, peaks, bare_peaks;
+  for (std::size_t i = 0; i < std::min(with.size(), bare.size()); ++i) {
+    const PairedStart &w = with[i], &b = bare[i];
+    if (std::isnan(w.peak_radial) || std::isnan(b.peak_radial)) continue;
+    const auto velocity = static_cast<float>(over(w.rms_velocity, b.rms_velocity));
+    seen.add(velocity, w.weight);
+    least.add(w.undecided ? 0.0f : velocity, w.weight);
+    most.add(w.undecided ? std::numeric_limits<float>::infinity() : velocity, w.weight);
+    peaks.add(w.peak_radial, w.weight);
+    bare_peaks.add(b.peak_radial, w.weight);
+  }
+  TimesBare times{seen.summary().quantiles, {}};
+  const auto low = least.summary().quantiles, high = most.summary().quantiles;
+  for (std::size_t q = 0; q < reported_quantiles.size(); ++q) {
+    times.end_velocity[q].low = low[q].low;
+    times.end_velocity[q].high = high[q].high;
+  }
+  times.peak = over(peaks.summary().quantiles[ninety], bare_peaks.summary().quantiles[ninety].value);
+  return times;
+}
+
+TimesBare times_bare(const BasinResult& r) {
+  const TransientResult& with = *r.transients;
+  const OneBodyRuns& bare = r.without_balls->bare;
+  return bare.one ? over_one_run(with.groups.front(), bare.figures) : pair_by_pair(with.first, bare.first);
+}
 
 class Judge {
  public:
@@ -61,8 +124,11 @@ class Judge {
   }
 
   // "98.2 % (97.9 to 98.5 %)"
-  static std::string share_words(const Share& s) {
-    return fmt::format("{} ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
+  static std::string share_words(const Share& s) { return fmt::format("{} ({})", share_text(s), interval(s)); }
+
+  std::string shown(double value, study::Dimension d) const {
+    const study::ShownUnit unit = study::shown_unit(d, r_.study.scales);
+    return fmt::format("{:.3g} {}", value * unit.size, unit.name);
   }
 
   double required() const { return r_.study.limits.share.value_or(usual_required_share); }
@@ -143,12 +209,10 @@ class Judge {
   // "the peak reaches 26.6 mm in one start of ten, 18.2 mm without balls"; empty if it is not surely larger.
   std::string larger_peaks() const {
     if (!(times_.peak.low > larger_peak)) return "";
-    const study::ShownUnit unit = study::shown_unit(study::Dimension::length, r_.study.scales);
     const auto most = [&](const TransientGroup& group) {
-      return group.figure(&TransientRow::peak_radial).quantiles[ninety].value * unit.size;
+      return shown(group.figure(&TransientRow::peak_radial).quantiles[ninety].value, study::Dimension::length);
     };
-    return fmt::format("the peak reaches {:.3g} {} in one start of ten, {:.3g} {} without balls", most(with_),
-                       unit.name, most(none_), unit.name);
+    return fmt::format("the peak reaches {} in one start of ten, {} without balls", most(with_), most(none_));
   }
 
   // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
@@ -156,14 +220,12 @@ class Judge {
     const TriedChange* best = &tried.front();
     for (const TriedChange& t : tried)
       if (serves_better(t, *best)) best = &t;
-    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
     const std::string figure =
         best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
-                   : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
-                                 best->end_velocity.value * unit.size, unit.name, best->starts);
-    const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
+                   : fmt::format("at the end at most {} in 90 % of {} starts",
+                                 shown(best->end_velocity.value, study::Dimension::velocity), best->starts);
     const std::string peak =
-        fmt::format("the peak reaches {:.3g} {} in one start of ten", best->peak.value * length.size, length.name);
+        fmt::format("the peak reaches {} in one start of ten", shown(best->peak.value, study::Dimension::length));
     if (best->decision == Decision::fit)
       return fmt::format("With {}: {}{}.", best->words, figure,
                          verdict_.decision == Decision::caution ? "; " + peak : "");
@@ -202,6 +264,19 @@ class Judge {
 };
 
 }  // namespace
+
+std::string below_resonance_words(const Study& study) {
+  if (!runs_below_resonance(study)) return "";
+  const auto critical = model::critical_speeds(study.parameters);
+  // Balls that hang below the shaft gather nowhere.
+  const char* there = study.parameters.gravity == 0.0 ? "balls gather on the heavy side and add to the unbalance"
+                                                      : "balls cancel no unbalance";
+  if (!study.uncertain.empty())
+    return fmt::format("the rotor runs below its critical speed with balls, whatever is drawn: there {}", there);
+  return fmt::format("the rotor runs at {}, below its critical speed of {} with balls: there {}",
+                     engineering(study.scales, std::fabs(study.speed_profile().final_speed()), study::Dimension::speed),
+                     engineering(study.scales, std::min(critical[0], critical[1]), study::Dimension::speed), there);
+}
 
 std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
   if (tells_without_balls(r) && r.without_balls->bare.figures.starts > 0) return Judge(r).verdict(tried);

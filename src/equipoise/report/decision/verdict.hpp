@@ -23,9 +23,6 @@ enum class Decision {
 inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
                                                            "change", "do_not_fit", "open"};
 
-/// The least share of starts that have to keep all limits where [limits] states no `share`.
-inline constexpr double usual_required_share = 0.95;
-
 /// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
 /// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
 /// the end is at most half of that without balls. Starts are compared with their own rotors
@@ -44,9 +41,6 @@ struct BalancerVerdict {
            (decision == Decision::caution || decision == Decision::change || decision == Decision::do_not_fit);
   }
 };
-
-/// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
-inline constexpr double larger_peak = 1.1, quieter_end = 0.5;
 
 /// One change of the balancer, tried on starts of its own.
 struct TriedChange {
@@ -69,6 +63,14 @@ bool may_serve_better(const TriedChange& a, const TriedChange& b);
 /// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
 /// the verdict's last line tells the best of them.
 std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
+
+/// Says why, and that no start has to be followed to know it.
+inline constexpr char leave_balancer_out[] = "Leave the balancer out: {}.";
+inline constexpr char by_linear_theory[] = "By linear theory; no start has to be followed for that.";
+
+/// "the rotor runs at 1000 rpm, below its critical speed of ...", to follow "Leave the balancer out: "; empty unless
+/// runs_below_resonance().
+std::string below_resonance_words(const Study& study);
 
 /// The tone in which a decision is shown.
 Tone tone_of(Decision decision);

@@ -6,7 +6,6 @@
 
 #include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/drawing/html_text.hpp"
-#include "equipoise/report/drawing/page_files.hpp"
 
 namespace equipoise {
 

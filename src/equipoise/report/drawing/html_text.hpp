@@ -4,6 +4,14 @@
 #include <string>
 
 #include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/embedded.hpp"
+
+namespace equipoise::embedded {
+
+/// Files that pages need: "document.css" and "sheet.css".
+extern const Archive page_files;
+
+}  // namespace equipoise::embedded
 
 namespace equipoise {
 

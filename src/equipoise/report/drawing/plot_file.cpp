@@ -1,5 +1,4 @@
 // From the top down: how high each part is follows from how its words break into lines.
-#include "equipoise/report/drawing/plot_file.hpp"
 
 #include <algorithm>
 

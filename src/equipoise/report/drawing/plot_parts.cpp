@@ -53,6 +53,10 @@ std::string axis_label(const std::string& key) {
   return key;
 }
 
+std::string label_with_unit(const std::string& key, const std::string& unit) {
+  return unit.empty() ? axis_label(key) : fmt::format("{} ({})", key, unit);
+}
+
 std::string parameters_text(const Study& study, const std::vector<std::string>& varied) {
   const model::Parameters& p = study.parameters;
   const auto fixed = [&](const std::string& key) {

@@ -13,6 +13,8 @@ const char* colour_of(int code);
 
 /// "eccentricity λ / race radius" and so on; the key itself if it has no name here.
 std::string axis_label(const std::string& key);
+/// "rotor.unbalance (g mm)"; without a unit as above.
+std::string label_with_unit(const std::string& key, const std::string& unit);
 
 /// "2 balls, μ = 0.05, ..., Ω = 2.4", without the quantities named in `varied`.
 std::string parameters_text(const Study& study, const std::vector<std::string>& varied);

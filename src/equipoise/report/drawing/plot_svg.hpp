@@ -1,14 +1,37 @@
-// Plots as SVG drawings in a page: they need no script and follow the page's light and dark colours.
+// Plots as data and as SVG drawings, in a page, whose light and dark colours they follow, or as files.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "equipoise/report/drawing/document.hpp"
-#include "equipoise/report/drawing/plot.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 
 namespace equipoise {
+
+struct PlotSeries {
+  enum class Style { line, dashed, points };
+  std::string label{};
+  std::string colour{};
+  Style style = Style::line;
+  std::vector<double> x{}, y{};
+  std::vector<double> low{}, high{};  ///< ends of intervals; empty if there are none
+
+  void add(double at, double value, double lower, double upper) {
+    x.push_back(at);
+    y.push_back(value);
+    low.push_back(lower);
+    high.push_back(upper);
+  }
+};
+
+struct Plot {
+  std::string title{}, x_label{}, y_label{};
+  bool log_x = false;
+  bool curves = false;  ///< thin lines without markers
+  bool from_zero = false;
+  std::vector<PlotSeries> series{};
+};
 
 /// Common to these drawings: their width, the corners of their axes, and their height without a legend.
 inline constexpr double drawing_width = 430.0, drawing_height = 268.0;
@@ -30,5 +53,10 @@ std::string plot_svg(const Plot& plot, const std::string& described, double widt
 /// Plots beside each other.
 DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
                  bool may_be_wide);
+
+/// One SVG that needs nothing else, for browsers, word processors and printers: title, lines of details, drawings two
+/// to a row with their titles and words, caption.
+std::string plot_file(const std::string& title, const std::vector<std::string>& details, const DrawingRow& row);
+std::string plot_file(const std::string& title, const std::vector<Plot>& plots);
 
 }  // namespace equipoise

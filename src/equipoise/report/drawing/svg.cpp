@@ -10,13 +10,25 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/report/drawing/base64.hpp"
 #include "equipoise/report/drawing/html_text.hpp"
-#include "equipoise/report/drawing/page_files.hpp"
 
 namespace equipoise {
 
 namespace {
+
+// Bytes as text within a page (RFC 4648).
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? digits[group >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
 
 std::string style_of(const SvgPen& pen) {
   std::string style = fmt::format("fill:{}", pen.fill.empty() ? "none" : pen.fill);
@@ -234,20 +246,21 @@ SvgPoint SvgAxes::inside(double x, double y) const {
   return at(std::clamp(x, x_.low, x_.high), std::clamp(y, y_.low, y_.high));
 }
 
-void SvgAxes::line(const std::vector<double>& x, const std::vector<double>& y, const SvgPen& pen) {
+std::vector<SvgPoint> SvgAxes::inside(const std::vector<double>& x, const std::vector<double>& y) const {
   std::vector<SvgPoint> points;
   for (std::size_t i = 0; i < x.size(); ++i)
     if (x[i] >= x_.low && x[i] <= x_.high) points.push_back(inside(x[i], y[i]));
-  svg_.path(points, pen);
+  return points;
+}
+
+void SvgAxes::line(const std::vector<double>& x, const std::vector<double>& y, const SvgPen& pen) {
+  svg_.path(inside(x, y), pen);
 }
 
 void SvgAxes::band(const std::vector<double>& x, const std::vector<double>& low, const std::vector<double>& high,
                    const SvgPen& pen) {
-  std::vector<SvgPoint> points;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (x[i] >= x_.low && x[i] <= x_.high) points.push_back(inside(x[i], high[i]));
-  for (std::size_t i = x.size(); i-- > 0;)
-    if (x[i] >= x_.low && x[i] <= x_.high) points.push_back(inside(x[i], low[i]));
+  std::vector<SvgPoint> points = inside(x, high), below = inside(x, low);
+  points.insert(points.end(), below.rbegin(), below.rend());
   svg_.path(points, pen, true);
 }
 

@@ -111,6 +111,7 @@ class SvgAxes {
 
  private:
   SvgPoint inside(double x, double y) const;
+  std::vector<SvgPoint> inside(const std::vector<double>& x, const std::vector<double>& y) const;
 
   Svg& svg_;
   SvgPoint top_left_, bottom_right_;

@@ -14,7 +14,7 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
+#include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,12 +23,8 @@ constexpr char basin_takes[] = "basin takes";
 using model::Scales;
 using study::Dimension;
 
-// With spaces at which no line breaks; explain_text() makes them plain.
-constexpr std::string_view whole_space = "\u00a0";
-constexpr char beta_is[] = "beta\u00a0=\u00a0";
-
 std::string figure_text(const ExplainedQuantity& figure, const std::optional<Scales>& scales) {
-  std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? beta_is : "", figure.value);
+  std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
   if (!figure.dimension) return plain;
   if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
   if (!scales) return plain;
@@ -173,15 +168,7 @@ class Text {
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {
   constexpr std::size_t labels = 22;
-  const std::string lines = lines_filled(Text(e, style).all(), style, labels);
-  std::string text;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const bool whole = lines.compare(k, whole_space.size(), whole_space) == 0;
-    if (whole) k += whole_space.size() - 1;
-    if (lines[k] == '\n') text.resize(text.find_last_not_of(' ') + 1);
-    text += whole ? ' ' : lines[k];
-  }
-  return text;
+  return lines_filled(Text(e, style).all(), style, labels);
 }
 
 }  // namespace equipoise

@@ -13,10 +13,9 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/parts.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"

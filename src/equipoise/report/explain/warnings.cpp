@@ -13,7 +13,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
+#include "equipoise/report/text/text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 
@@ -21,11 +21,6 @@ namespace equipoise {
 
 namespace {
 
-constexpr char below_critical_speed[] =
-    "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance";
-constexpr char near_critical_speed[] =
-    "the final speed is within 10 % of a critical speed: vibration is near its largest";
-constexpr char often_unstable_too[] = ", and balance is often unstable";
 using study::Dimension;
 
 constexpr double root_two = 1.4142135623730951;
@@ -34,7 +29,7 @@ constexpr double rounding = 1e-9;
 class Warnings {
  public:
   explicit Warnings(Explanation& e) : e_(e), p_(e.study.parameters) {
-    e.tilt ? whirl(*e.tilt) : speed();
+    speed();
     e.tilt ? planes(*e.tilt) : unbalance({e.unbalance, e.least_unbalance, e.largest_unbalance}, p_.balls == 1);
     sag();
     if (e.motion) motion(*e.motion);
@@ -70,27 +65,18 @@ class Warnings {
     const double w = std::abs(*e_.speed);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     const double highest = std::max(e_.critical_alone[0], e_.critical_alone[1]);
-    if (w < lowest && p_.balls > 0) warn(below_critical_speed);
-    if (w >= 0.9 * lowest && w <= 1.1 * highest)
-      warn(near_critical_speed);
-    else if (w >= lowest && w < root_two * highest)
+    const bool balls = p_.balls > 0;
+    const char* unstable = balls ? ", and balance is often unstable" : "";
+    if (balls && w < lowest)
+      warn(
+          "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance");
+    if (near_critical(w, lowest, highest))
+      warn("the final speed is within 10 % of a critical speed: vibration is near its largest");
+    else if (!e_.tilt && w >= lowest && w < root_two * highest)
       warn(
           "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
           "eccentricity unless damping is strong{}",
-          p_.balls > 0 ? often_unstable_too : "");
-  }
-
-  // Of a rotor that tilts, which has no one speed above which it is quiet.
-  void whirl(const TiltExplanation& t) {
-    if (!e_.speed) return;
-    const double w = std::abs(*e_.speed), lowest = e_.critical_with_balls[0], highest = e_.critical_alone[1];
-    const bool balls = p_.balls > 0;
-    bool near = false;
-    for (const model::WhirlSpeeds* speeds : {&t.alone, &t.with_balls})
-      for (const double critical : speeds->excited()) near = near || std::abs(w - critical) <= 0.1 * critical;
-    if (balls && w < lowest) warn(below_critical_speed);
-    if (near)
-      warn(near_critical_speed);
+          unstable);
     else if (w >= lowest && w < highest)
       warn(
           "the final speed lies between critical speeds, below the highest, {}: whirl of that kind is not yet passed{}",
@@ -100,7 +86,16 @@ class Warnings {
       warn(
           "the final speed is less than sqrt(2) times the highest critical speed, {}: without balls, whirl of that "
           "kind is more than twice as wide as at high speeds, if the unbalance excites it and damping is not strong{}",
-          text(highest, Dimension::speed), balls ? often_unstable_too : "");
+          text(highest, Dimension::speed), unstable);
+  }
+
+  // A rotor that tilts has quiet ranges between its critical speeds.
+  bool near_critical(double w, double lowest, double highest) const {
+    if (!e_.tilt) return w >= 0.9 * lowest && w <= 1.1 * highest;
+    bool near = false;
+    for (const model::WhirlSpeeds* speeds : {&e_.tilt->alone, &e_.tilt->with_balls})
+      for (const double critical : speeds->excited()) near = near || std::abs(w - critical) <= 0.1 * critical;
+    return near;
   }
 
   void contact() {

@@ -11,7 +11,7 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/cell_table.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/capacity_plots.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/text/cell_text.hpp"

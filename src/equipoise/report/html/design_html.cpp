@@ -12,7 +12,7 @@
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/design_plots.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/answers/design_words.hpp"
 #include "equipoise/report/reports/result_tables.hpp"

@@ -11,7 +11,7 @@
 #include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 

@@ -14,7 +14,7 @@
 #include "equipoise/report/html/cell_table.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/plots/sweep_drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"

@@ -1,13 +1,10 @@
 // Stretches of equal stability as bands between edges; legend.
-#include "equipoise/report/plots/branch_plot.hpp"
+#include "equipoise/report/plots/plots.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
 namespace equipoise {

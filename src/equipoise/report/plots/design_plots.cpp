@@ -1,5 +1,5 @@
 // Fronts, spin-ups, margins and the search itself.
-#include "equipoise/report/plots/design_plots.hpp"
+#include "equipoise/report/plots/plots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,22 +16,16 @@ namespace {
 
 double shown_value(const DesignFigure& f, double value) { return f.share ? 100.0 * value : value; }
 
-std::string figure_label(const DesignFigure& f) {
-  if (f.share) return f.name + " (%)";
-  return f.unit.empty() ? f.name : fmt::format("{} ({})", f.name, f.unit);
-}
-
 std::string unit_label(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
+std::string figure_label(const DesignFigure& f) { return unit_label(f.name, f.share ? "%" : f.unit); }
+
 // Skips infinite ends of intervals, which would leave no room for the rest.
 void add_point(PlotSeries& s, double x, const DesignFigure& f, const DesignEstimate& e) {
   if (!std::isfinite(x) || !std::isfinite(e.value)) return;
-  s.x.push_back(x);
-  s.y.push_back(shown_value(f, e.value));
-  s.low.push_back(shown_value(f, e.low));
-  s.high.push_back(shown_value(f, std::isfinite(e.high) ? e.high : e.value));
+  s.add(x, shown_value(f, e.value), shown_value(f, e.low), shown_value(f, std::isfinite(e.high) ? e.high : e.value));
 }
 
 const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.front[*r.chosen] : nullptr; }
@@ -39,7 +33,7 @@ const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.f
 double leading_number(const StudyValue& value) { return value.string() ? number_in(*value.string()) : value.number(); }
 
 PlotSeries limit_series(const DesignResult& r, std::size_t figure, const PlotSeries& along) {
-  PlotSeries s{"must hold", light_colour, PlotSeries::Style::dashed, {}, {}, {}, {}};
+  PlotSeries s{"must hold", light_colour, PlotSeries::Style::dashed};
   for (const DesignLimit& limit : r.limits)
     if (limit.figure == figure && !along.x.empty()) {
       const double bound = shown_value(r.figures[figure], limit.below ? *limit.below : *limit.above);
@@ -57,10 +51,10 @@ std::vector<Plot> front_plots(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   for (std::size_t g = 1; g < r.objectives.size(); ++g) {
     const std::size_t k = r.objectives[g];
-    Plot plot{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
-    PlotSeries front{"not beaten by any", dark_colour, PlotSeries::Style::points, {}, {}, {}, {}};
-    PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
-    PlotSeries before{design_as_given, "#666666", PlotSeries::Style::points, {}, {}, {}, {}};
+    Plot plot{"", figure_label(first), figure_label(r.figures[k])};
+    PlotSeries front{"not beaten by any", dark_colour, PlotSeries::Style::points};
+    PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points};
+    PlotSeries before{design_as_given, "#666666", PlotSeries::Style::points};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;
@@ -86,7 +80,7 @@ std::vector<Plot> spin_up_plots(const DesignResult& r) {
     if (!shape) continue;
     const StudyValue& value = best->settings[k].value;
     if (!value.find("times")) return {};  // of the study itself
-    PlotSeries speeds{"speed", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries speeds{"speed", dark_colour};
     for (const StudyValue& t : *value.find("times")->array()) speeds.x.push_back(leading_number(t));
     for (const StudyValue& s : *value.find("speeds")->array()) speeds.y.push_back(leading_number(s));
     const double top = *std::max_element(speeds.y.begin(), speeds.y.end());
@@ -98,7 +92,7 @@ std::vector<Plot> spin_up_plots(const DesignResult& r) {
     for (const DesignSetting& s : best->settings) {
       if (s.key != "release.time") continue;
       const double t = leading_number(s.value);
-      plot.series.push_back({"balls let go", light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
+      plot.series.push_back({"balls let go", light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}});
     }
     return {plot};
   }
@@ -122,14 +116,14 @@ std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
     const bool words = std::any_of(m.points.begin(), m.points.end(),
                                    [](const DesignPoint& p) { return p.given.front() == '"' && p.value == 0.0; });
     if (m.points.empty() || words) continue;
-    PlotSeries series{r.figures[k].name, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries series{r.figures[k].name, dark_colour};
     bool here = false;
     for (const DesignPoint& p : m.points) {
       if (!here && p.value > m.value) add_point(series, m.value, r.figures[k], m.here.figures[k]), here = true;
       if (!p.sample.figures.empty()) add_point(series, p.value, r.figures[k], p.sample.figures[k]);
     }
     if (!here) add_point(series, m.value, r.figures[k], m.here.figures[k]);
-    PlotSeries chosen{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries chosen{"chosen", "#D55E00", PlotSeries::Style::points};
     add_point(chosen, m.value, r.figures[k], m.here.figures[k]);
     Plot plot{
         "", unit_label(margin_name(m.key), m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};
@@ -141,7 +135,7 @@ std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
 
 std::vector<Plot> history_plots(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
-  PlotSeries series{"best so far", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+  PlotSeries series{"best so far", dark_colour};
   for (const DesignStep& step : r.history) {
     if (step.violation > 0.0 || !std::isfinite(step.value)) continue;
     if (!series.y.empty()) {  // as good until then

@@ -8,7 +8,7 @@
 
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/plots/drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -110,8 +110,7 @@ std::string shares_svg(const MachinePage& page) {
     const OutcomeShare& line = lines[k];
     const double top = row * static_cast<double>(k) + 17.0, middle = top + 0.5 * thick;
     svg.text({left, top - 4.0}, reader_title(line, page.basin.study.scales.has_value()));
-    svg.text({right, top - 4.0}, percent(line.share.share, line.share.count == 0 ? 0 : digits_for(line.share)),
-             SvgAnchor::end);
+    svg.text({right, top - 4.0}, share_text(line.share), SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
     svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.id)});
     // The whisker must stand out both on its bar and beside it.

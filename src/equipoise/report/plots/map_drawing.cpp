@@ -1,9 +1,10 @@
 // Pixels as a picture in axes, limits of balance, legend.
-#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/report/plots/plots.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <vector>
 
@@ -11,10 +12,8 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/raster.hpp"
-#include "equipoise/report/plots/map_words.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
@@ -37,6 +36,33 @@ AxisWords words_for(const Study& study, const SliceAxis& axis) {
 std::string words_of(const Study& study, const SliceAxis& axis) {
   const AxisWords words = words_for(study, axis);
   return fmt::format("{} from {:.4g} to {:.4g}", words.label, axis.low * words.factor, axis.high * words.factor);
+}
+
+// In quarter turns if it is a multiple of one, else as a number.
+std::string angle_text(double angle) {
+  const double quarters = angle / (0.5 * pi);
+  if (std::fabs(quarters - std::round(quarters)) > 1e-9) return fmt::format("{:.4g}", angle);
+  const int n = static_cast<int>(std::round(quarters));
+  if (n == 0) return "0";
+  const std::string times = std::abs(n % 2 ? n : n / 2) == 1 ? "" : fmt::format("{}", std::abs(n % 2 ? n : n / 2));
+  return fmt::format("{}{}π{}", n < 0 ? "-" : "", times, n % 2 ? "/2" : "");
+}
+
+// ", φ3 = π/2, φ4 = φ1 + π": ball angles that do not vary; empty if all do.
+std::string fixed_angles_text(const BasinSlice& map) {
+  const int balls = map.study.parameters.balls;
+  const bool drawn = draws_starts(map);
+  std::string text = drawn ? ", ball angles drawn at every point" : "";
+  for (int i = 1; i <= balls; ++i) {
+    const std::string key = fmt::format("initial.phi_{}", i);
+    if (key == map.x.key || key == map.y.key) continue;
+    bool tied = false;
+    std::string value = angle_text(map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
+    for (const AngleLink& link : map.links)
+      if (link.ball == i) tied = true, value = fmt::format("φ{} + {}", link.of, angle_text(link.offset));
+    if (tied || !drawn) text += fmt::format(", φ{} = {}", i, value);
+  }
+  return text;
 }
 
 // Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and

@@ -6,7 +6,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/plots/drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 
 namespace equipoise {

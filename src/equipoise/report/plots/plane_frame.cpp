@@ -1,9 +1,107 @@
-// Borders over a plane.
+// Crossings of zero between neighbouring pixels; borders over a plane.
 #include "equipoise/report/plots/plane_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
 namespace equipoise {
+
+namespace {
+
+// A field known at the pixels' centres, extrapolated linearly to the edges.
+class MapField {
+ public:
+  MapField(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values) : x_(x), y_(y), values_(values) {}
+
+  double value(int column, int row) const {
+    const Weights a = weights(column, x_.pixels), b = weights(row, y_.pixels);
+    double sum = 0.0;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (a.share[i] * b.share[j] != 0.0) sum += a.share[i] * b.share[j] * values_[at(a.pixel[i], b.pixel[j])];
+    // A change of sign that is only extrapolated does not count.
+    const double nearest = values_[at(a.pixel[0], b.pixel[0])];
+    return (sum < 0.0) == (nearest < 0.0) ? sum : nearest;
+  }
+  MapPoint place(int column, int row) const { return {along(x_, column), along(y_, row)}; }
+
+ private:
+  struct Weights {
+    int pixel[2];
+    double share[2];
+  };
+  static Weights weights(int k, int pixels) {
+    const int inside = std::clamp(k, 0, pixels - 1);
+    if (k == inside || pixels == 1) return {{inside, inside}, {1.0, 0.0}};
+    return {{inside, k < 0 ? 1 : pixels - 2}, {1.5, -0.5}};  // half a pixel beyond the last centre
+  }
+  static double along(const SliceAxis& axis, int k) { return std::clamp(axis.centre(k), axis.low, axis.high); }
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(x_.pixels) + static_cast<std::size_t>(column);
+  }
+  const SliceAxis& x_;
+  const SliceAxis& y_;
+  const std::vector<float>& values_;
+};
+
+// Where the line crosses an edge between two centres, and the edges that it crosses next: one or two.
+struct Crossing {
+  MapPoint at;
+  std::vector<long> next;
+};
+
+// Goes on from edge to edge until the line ends or closes. Ways that were gone are removed.
+MapLine followed(std::map<long, Crossing>& crossings, long edge) {
+  MapLine line{crossings[edge].at};
+  for (std::vector<long>* ways = &crossings[edge].next; !ways->empty(); ways = &crossings[edge].next) {
+    const long next = ways->back();
+    ways->pop_back();
+    std::vector<long>& back = crossings[next].next;
+    back.erase(std::find(back.begin(), back.end(), edge));
+    line.push_back(crossings[next].at);
+    edge = next;
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<MapLine> zero_line(const BasinSlice& map, const std::vector<float>& values) {
+  if (values.size() != map.code.size()) return {};  // the same everywhere
+  return zero_line(map.x, map.y, values);
+}
+
+std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values) {
+  std::map<long, Crossing> crossings;  // by the number of the edge
+  const MapField field(x, y, values);
+  constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  for (int row = -1; row < y.pixels; ++row)
+    for (int column = -1; column < x.pixels; ++column) {
+      std::vector<long> edges;
+      for (int edge = 0; edge < 4; ++edge) {
+        const int c0 = column + corner[edge][0], r0 = row + corner[edge][1];
+        const int c1 = column + corner[edge + 1][0], r1 = row + corner[edge + 1][1];
+        const double a = field.value(c0, r0), b = field.value(c1, r1);
+        if (!std::isfinite(a) || !std::isfinite(b) || (a < 0.0) == (b < 0.0)) continue;
+        const MapPoint from = field.place(c0, r0), to = field.place(c1, r1);
+        const double s = a / (a - b);
+        edges.push_back(2L * ((std::min(r0, r1) + 1L) * (x.pixels + 2L) + std::min(c0, c1) + 1L) + (c0 == c1));
+        crossings[edges.back()].at = {from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])};
+      }
+      for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
+        crossings[edges[k]].next.push_back(edges[k + 1]);
+        crossings[edges[k + 1]].next.push_back(edges[k]);
+      }
+    }
+  std::vector<MapLine> lines;
+  for (const std::size_t ways : {1u, 2u})  // those with ends first, from an end; what is left is closed
+    for (const auto& [edge, crossing] : crossings)
+      if (crossing.next.size() == ways) lines.push_back(followed(crossings, edge));
+  return lines;
+}
 
 std::string part_words(double part) {
   return part > 0.0 && part < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * part);

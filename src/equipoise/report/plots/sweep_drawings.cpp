@@ -1,19 +1,16 @@
 // Stacked areas, heat maps, peaks along a parameter.
-#include "equipoise/report/plots/sweep_drawings.hpp"
+#include "equipoise/report/plots/plots.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/drawing/svg.hpp"
-#include "equipoise/report/plots/sweep_layers.hpp"
 
 namespace equipoise {
 
@@ -113,7 +110,7 @@ std::string stacked_svg(const SweepResult& r) {
   for (const std::size_t k : cells) x.push_back(p.values[k]);
   const bool lone = x.size() == 1;
   const AxisExtent across = x.empty() ? AxisExtent() : widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
-  SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
+  SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {label_with_unit(p.key, p.unit)},
                {"share of starts, %"});
   for (const SweepLayer& layer : layers) {
     std::vector<double> next = sum;
@@ -146,9 +143,9 @@ std::string heat_svg(const SweepResult& r, std::size_t first) {
       if (const auto& cell = r.cells[first + rows[j] * columns.size() + columns[i]])
         draw_cell(svg, grid, grid.corner(i, j), cell->outcomes.front().share.share);
   label_grid(svg, grid, heat_labels(x, columns), heat_labels(y, rows));
-  svg.text({0.5 * (grid.top_left.x + grid.bottom_right.x), grid.bottom_right.y + 31.0}, sweep_axis_label(x),
+  svg.text({0.5 * (grid.top_left.x + grid.bottom_right.x), grid.bottom_right.y + 31.0}, label_with_unit(x.key, x.unit),
            SvgAnchor::middle, quiet_ink);
-  svg.text_upwards({11.0, 0.5 * (grid.top_left.y + grid.bottom_right.y)}, sweep_axis_label(y));
+  svg.text_upwards({11.0, 0.5 * (grid.top_left.y + grid.bottom_right.y)}, label_with_unit(y.key, y.unit));
   draw_scale(svg, scale_top);
   return svg.str();
 }
@@ -167,6 +164,30 @@ void add_heat_maps(DrawingRow& row, const SweepResult& r) {
 }
 
 }  // namespace
+
+std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
+  constexpr int last = 1'000'000;  // after all identifiers
+  std::map<int, SweepLayer> layers;
+  for (std::size_t k = 0; k < r.cells.size(); ++k) {
+    if (!r.cells[k]) continue;
+    const SweepCell& cell = *r.cells[k];
+    const auto add = [&](int order, const std::string& name, int code, double share) {
+      SweepLayer& layer = layers.try_emplace(order, SweepLayer{name, colour_of(code), {}}).first->second;
+      layer.share.resize(r.cells.size());
+      layer.share[k] = share;
+    };
+    for (const SweepOutcome& o : cell.outcomes)
+      if (o.share.count > 0 || o.id == balanced_id) add(o.id, legend_of(o), o.id, o.share.share);
+    for (const auto& [outcome, order] : {std::pair{Outcome::stalled, last}, {Outcome::undecided, last + 1}}) {
+      const NoAttractor& n = told_of(outcome);
+      if (const Share* s = cell.of(n.code); s && s->count > 0) add(order, n.name, n.code, s->share);
+    }
+    if (cell.lost() > 0) add(last + 2, "diverged or failed", diverged_code, cell.diverged.share + cell.failed.share);
+  }
+  std::vector<SweepLayer> list;
+  for (auto& [order, layer] : layers) list.push_back(std::move(layer));
+  return list;
+}
 
 DrawingRow sweep_drawing(const SweepResult& r) {
   DrawingRow row;
@@ -197,15 +218,13 @@ std::optional<Plot> peak_plot(const SweepResult& r) {
   double largest = r.study.limits.displacement.value_or(0.0);
   for (const std::size_t cell : cells) largest = std::max(largest, peak_quantile(r, cell, 1).high);
   const AxisWords words = PageQuantities(r.study).axis(figure.title, largest, *figure.dimension);
-  Plot plot{"", sweep_axis_label(p), words.label, false, false, true, {}};
+  Plot plot{"", label_with_unit(p.key, p.unit), words.label, false, false, true};
   const auto add = [&](std::size_t quantile, const char* name, const char* colour) {
-    PlotSeries series{name, colour, PlotSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries series{name, colour};
     for (const std::size_t cell : cells) {
       const QuantileEstimate estimate = peak_quantile(r, cell, quantile);
-      series.x.push_back(p.values[cell]);
-      series.y.push_back(estimate.value * words.factor);
-      series.low.push_back(estimate.low * words.factor);
-      series.high.push_back(estimate.high * words.factor);
+      series.add(p.values[cell], estimate.value * words.factor, estimate.low * words.factor,
+                 estimate.high * words.factor);
     }
     plot.series.push_back(std::move(series));
   };
@@ -214,7 +233,7 @@ std::optional<Plot> peak_plot(const SweepResult& r) {
   if (const auto& limit = r.study.limits.displacement; limit && !cells.empty()) {
     const double at = *limit * words.factor;
     const std::vector<double> ends{p.values[cells.front()], p.values[cells.back()]};
-    plot.series.push_back({"limit", limit_colour, PlotSeries::Style::dashed, ends, {at, at}, {}, {}});
+    plot.series.push_back({"limit", limit_colour, PlotSeries::Style::dashed, ends, {at, at}});
   }
   return plot;
 }

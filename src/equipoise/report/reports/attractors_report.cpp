@@ -12,10 +12,9 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
-#include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 

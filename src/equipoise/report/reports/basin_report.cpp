@@ -11,16 +11,13 @@
 #include "equipoise/core/base/percent_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/sampling_text.hpp"
-#include "equipoise/report/decision/balancer_blocks.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/decision/verdict_json.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/carrying_text.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"
-#include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -60,10 +57,10 @@ std::string passage_text(const BasinResult& r) {
   const double above = r.study.passed_speed();
   const bool from_above = std::fabs(r.study.speed.initial) >= above;
   const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
-  std::string text =
-      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
-                  from_above ? "Above the resonance in the end" : "Came through the resonance",
-                  percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
+  std::string text = fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                                 from_above ? "Above the resonance in the end" : "Came through the resonance",
+                                 percent(passed.share, digits_for(passed)), interval(passed),
+                                 engineering(r.study.scales, above, study::Dimension::speed));
   if (held.count > 0) text += fmt::format("; held below: {}", part(held));
   const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
   if (open > 0)
@@ -107,7 +104,9 @@ std::string bare_text(const BasinResult& r, const TextStyle& style) {
 }
 
 std::string end_name(const BasinResult& r, const OutcomeShare& o) {
-  return o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name;
+  return o.id == stalled_code
+             ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed)
+             : o.name;
 }
 
 // Without rows for what no start came to: none_words() names those.

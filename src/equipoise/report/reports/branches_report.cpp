@@ -11,7 +11,7 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"

@@ -15,7 +15,7 @@
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"

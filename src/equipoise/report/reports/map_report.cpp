@@ -13,7 +13,7 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {

@@ -14,7 +14,7 @@
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
-#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/text.hpp"
 

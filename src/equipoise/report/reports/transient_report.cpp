@@ -92,8 +92,8 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
     const Share& s = *group.exceeded[k];
     const Unit unit = unit_of(study, l);
     text += fmt::format(
-        "  {} above {:.4g} {}: {} ({}){}\n", l.measured, *(study.limits.*l.limit) * unit.size, unit.name,
-        percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        "  {} above {:.4g} {}: {} ({}){}\n", l.measured, *(study.limits.*l.limit) * unit.size, unit.name, share_text(s),
+        interval(s),
         group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; bounds " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
@@ -277,10 +277,11 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
   say(limit_words(r.without_balls->bare));
   const auto tell = [&](const OneBodyRuns& body, const char* how) {
     if (body.stalled > 0)
-      say(fmt::format("{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
-                      body.one && body.figures.mean_speed
-                          ? ": it ends at " + rotor_speed_text(r.study, *body.figures.mean_speed)
-                          : ""));
+      say(fmt::format(
+          "{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
+          body.one && body.figures.mean_speed
+              ? ": it ends at " + engineering(r.study.scales, *body.figures.mean_speed, study::Dimension::speed)
+              : ""));
     if (body.open > 0)
       say(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen", how,
                       of_runs(body.open, body)));
@@ -327,9 +328,7 @@ std::string clearance_words(const TransientGroup& group, const Study& study) {
   while (transient_limits[k].limit != &Limits::clearance) ++k;
   if (!group.exceeded[k] || group.starts < fewest_for_figures) return "";
   const Unit unit = unit_of(study, Dimension::length);
-  const auto share = [](const Share& s) {
-    return fmt::format("{} of starts ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
-  };
+  const auto share = [](const Share& s) { return fmt::format("{} of starts ({})", share_text(s), interval(s)); };
   const SampleSummary& end = group.figure(&TransientRow::peak_radial_at_end);
   const auto width = [&](double radius) { return fmt::format("{:.4g}", 2.0 * radius * unit.size); };
   return fmt::format(

@@ -15,7 +15,7 @@
 
 namespace equipoise {
 
-DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
+DocumentCell share_cell(const Share& s) { return number_cell(share_text(s)); }
 
 std::string share_with_interval(const Share& s) {
   if (s.total == 0) return "-";

@@ -5,14 +5,16 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/json.hpp"
 
 namespace equipoise {
@@ -21,29 +23,26 @@ namespace {
 
 using study::Dimension;
 
-// A number of the study, in physical units if the study has them.
-class Shown {
- public:
-  explicit Shown(const Study& study) : scales_(study.scales) {}
+// Writes the numbers of a study.
+auto numbers_of(const Study& study) {
+  return [&study](double value, Dimension d) { return engineering(study.scales, value, d); };
+}
 
-  std::string operator()(double value, Dimension d) const { return engineering(scales_, value, d); }
-  // One value for all balls, or one per ball; `factor` (only in physical units) multiplies each.
-  std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
-    const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
-    if (same) return entry(0);
-    std::string text = "[";
-    for (int i = 0; i < count; ++i) text += (i ? ", " : "") + entry(i);
-    return text + "]";
-  }
-
- private:
-  const std::optional<model::Scales>& scales_;
-};
+// One value for all balls, or one per ball; `factor` (only in physical units) multiplies each.
+std::string list_text(const Study& study, const double* values, const double* factor, bool same, Dimension d) {
+  const auto entry = [&](int i) {
+    return engineering(study.scales, study.scales && factor ? values[i] * factor[i] : values[i], d);
+  };
+  if (same) return entry(0);
+  std::string text = "[";
+  for (int i = 0; i < study.parameters.balls; ++i) text += (i ? ", " : "") + entry(i);
+  return text + "]";
+}
 
 std::string motor_text(const Study& study) {
   const TorqueSetting& t = study.speed.torque;
   using Kind = model::MotorLaw::Kind;
-  const Shown shown(study);
+  const auto shown = numbers_of(study);
   const auto torque = [&](double value) { return shown(value, Dimension::torque); };
   const auto speed = [&](double value) { return shown(value, Dimension::speed); };
   std::string law;
@@ -76,7 +75,7 @@ bool alike(const std::array<double, model::max_balls>& values, int balls) {
 
 std::string more_text(const Study& study) {
   const model::Parameters& p = study.parameters;
-  const Shown shown(study);
+  const auto shown = numbers_of(study);
   const auto both = [&](const std::array<double, 2>& v, Dimension d) {
     return fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d));
   };
@@ -91,12 +90,12 @@ std::string more_text(const Study& study) {
                     shown(p.tilt.polar_inertia, Dimension::inertia)));
     if (p.balls > 0)
       add(fmt::format("ball{} in plane{} {}", plural(p.balls), same ? "" : "s",
-                      shown.list(p.tilt.plane.data(), nullptr, p.balls, same, Dimension::length)));
+                      list_text(study, p.tilt.plane.data(), nullptr, same, Dimension::length)));
   }
   if (!p.race_is_centred()) add("race offset " + both(p.race_offset, Dimension::length));
   if (p.rolls) {
     const bool same = alike(p.ball_radius, p.balls);
-    add("balls roll, radius " + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
+    add("balls roll, radius " + list_text(study, p.ball_radius.data(), nullptr, same, Dimension::length));
   }
   if (p.balls_collide())
     add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
@@ -106,7 +105,7 @@ std::string more_text(const Study& study) {
 
 std::string speed_text(const Study& study) {
   const SpeedSetting& s = study.speed;
-  const Shown shown(study);
+  const auto shown = numbers_of(study);
   const auto speed = [&](double value) { return shown(value, Dimension::speed); };
   const auto time = [&](double value) { return shown(value, Dimension::time); };
   std::string text;
@@ -130,6 +129,18 @@ std::string speed_text(const Study& study) {
   return text;
 }
 
+// Writes the number at `from` as `words` has it. Returns where it ends then.
+template <class Words>
+std::size_t rewrite(std::string& text, std::size_t from, const Words& words) {
+  double value = 0.0;
+  const char* begin = text.data() + from;
+  const auto read = read_number(begin, text.data() + text.size(), value);
+  if (read.error != std::errc()) return from;
+  const std::string written = words(value);
+  text.replace(from, static_cast<std::size_t>(read.end - begin), written);
+  return from + written.size();
+}
+
 }  // namespace
 
 std::string percent(double share, int digits) { return fmt::format("{:.{}f} %", 100.0 * share, digits); }
@@ -138,6 +149,8 @@ int digits_for(const Share& s) {
   const double width = 100.0 * s.half_width();
   return width >= 1.0 ? 1 : width >= 0.05 ? 2 : width >= 0.005 ? 3 : 4;
 }
+
+std::string share_text(const Share& s) { return percent(s.share, s.count == 0 ? 0 : digits_for(s)); }
 
 std::string interval(const Share& s) {
   const int digits = digits_for(s);
@@ -158,14 +171,14 @@ std::string bounds_text(const Share& s) {
 std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
-  const Shown shown(study);
+  const auto shown = numbers_of(study);
   const bool same = alike(p.mass, p.balls) && alike(p.drag, p.balls);
   if (p.balls == 0)
     text += "no balls; ";
   else
     text += fmt::format("{} ball{}: mass {}, drag {}; ", p.balls, plural(p.balls),
-                        shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
-                        shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
+                        list_text(study, p.mass.data(), nullptr, same, Dimension::mass),
+                        list_text(study, p.drag.data(), p.mass.data(), same, Dimension::gain));
   text += fmt::format("rotor: eccentricity {}, damping {}\n", shown(p.eccentricity, Dimension::length),
                       shown(p.damping[0], Dimension::damping));
   if (study.scales)
@@ -177,8 +190,47 @@ std::string study_heading(const Study& study) {
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }
 
-std::string rotor_speed_text(const Study& study, double speed) {
-  return engineering(study.scales, speed, Dimension::speed);
+std::string note_text(const Study& study, const std::string& note) {
+  constexpr std::string_view speed = "at speed ", growth = "(growth rate";
+  const auto& scales = study.scales;
+  std::string text = note;
+  if (const std::size_t at = text.find(speed); at != text.npos) {
+    rewrite(text, at + speed.size(), [&](double value) {
+      return scales ? engineering(scales, value, study::Dimension::speed) : fmt::format("{:.4g}", value);
+    });
+    if (scales) text.erase(at + 3, speed.size() - 3);
+  }
+  const std::size_t at = text.find(growth);
+  if (!scales || at == text.npos) return text;
+  const auto per_second = [&](double rate) { return fmt::format("{:.3g}", rate * scales->frequency); };
+  std::size_t end = rewrite(text, text.find(' ', at + growth.size()) + 1, per_second);
+  if (text.compare(end, 4, " to ") == 0) end = rewrite(text, end + 4, per_second);
+  return text.insert(end, " 1/s");
+}
+
+std::optional<model::Carrying> carrying(const Study& study) { return model::carrying(study.parameters, study.drive()); }
+
+std::string carried_text(const Study& study, const model::Carrying& c) {
+  if (std::isinf(c.all)) return "balls without drag are never carried round";
+  const std::string all = engineering(study.scales, c.all, study::Dimension::speed),
+                    first = engineering(study.scales, c.first, study::Dimension::speed);
+  return first == all
+             ? fmt::format("drag carries hanging balls round from {} on", all)
+             : fmt::format("drag carries the first of hanging balls round from {} on, all from {} on", first, all);
+}
+
+std::string hanging_text(const Study& study) {
+  const auto c = carrying(study);
+  if (!c || !c->may_hang()) return "";
+  const std::string carried = carried_text(study, *c);
+  const double factor = c->all / c->reached;
+  return std::isinf(factor)
+             ? fmt::format("balls that hang below the shaft at the final speed stay there and balance nothing: {}",
+                           carried)
+             : fmt::format(
+                   "balls that hang below the shaft at the final speed stay there and balance nothing: {}; at the "
+                   "speed reached it takes {:.3g} times the drag",
+                   carried, factor);
 }
 
 const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }

@@ -2,9 +2,12 @@
 // This room: words, numbers and tables that reports share.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "equipoise/core/statistics/share.hpp"
+#include "equipoise/machine/balance/carrying.hpp"
+#include "equipoise/report/text/engineering.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -13,14 +16,24 @@ namespace equipoise {
 std::string percent(double share, int digits);
 /// Digits of a percentage that its interval supports.
 int digits_for(const Share& s);
+/// "60.40 %", without digits that its interval does not support; of none "0 %".
+std::string share_text(const Share& s);
 /// "60.22 to 60.57 %", "below 0.0013 %".
 std::string interval(const Share& s);
 /// The same for the bounds that hold whatever open starts come to.
 std::string bounds_text(const Share& s);
-/// A rotor speed: in rpm if the study has scales, else dimensionless.
-std::string rotor_speed_text(const Study& study, double speed);
 /// Name, balls, rotor, speed, how long balls are held: the start of every report, with an empty line after it.
 std::string study_heading(const Study& study);
+/// A note about balance (balanced_regions/balanced_analysis.cpp), with its speed and its growth rates in the study's
+/// units, to four digits.
+std::string note_text(const Study& study, const std::string& note);
+
+std::optional<model::Carrying> carrying(const Study& study);
+/// "drag carries hanging balls round from 884 rpm on".
+std::string carried_text(const Study& study, const model::Carrying& carrying);
+/// A warning if balls may hang at the final speed; else empty.
+std::string hanging_text(const Study& study);
+
 /// "published" or "kinematic".
 const char* name_of(model::SpeedLaw law);
 
