@@ -25,10 +25,6 @@ std::vector<double> ball_widths(const Study& study);
 /// study says why.
 std::vector<RuleOfThumb> advice(const Explanation& e);
 
-/// Of a rotor that tilts: critical speeds, balance, sag and vibration. The explanation has speed and `ball_width`,
-/// which this takes.
-void explain_tilt(Explanation& e);
-
 /// To an explanation that has all else.
 void add_warnings(Explanation& e);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
@@ -39,27 +40,20 @@ SvgPoint on_race(double angle, double radius) {
   return {race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
 }
 
-// Places of the races along the shaft, the farthest to the front first; one for a rotor that does not tilt.
-std::vector<double> planes_of(const model::Parameters& p) {
-  std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
-  std::sort(planes.rbegin(), planes.rend());
-  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-  return planes;
-}
-
 // Races in different planes are drawn inside each other.
 double race_radius(const std::vector<double>& planes, std::size_t k) {
   constexpr double inmost = 0.4;
   return race * (1.0 - (1.0 - inmost) * static_cast<double>(k) / static_cast<double>(planes.size()));
 }
+// The farthest to the front is the outermost.
 double race_of_ball(const model::Parameters& p, std::size_t ball) {
-  const std::vector<double> planes = planes_of(p);
+  const std::vector<double> planes = model::planes_of(p);
   return race_radius(
-      planes, static_cast<std::size_t>(std::find(planes.begin(), planes.end(), p.tilt.plane[ball]) - planes.begin()));
+      planes, static_cast<std::size_t>(planes.end() - std::find(planes.begin(), planes.end(), p.tilt.plane[ball]) - 1));
 }
 
 void draw_race(Svg& svg, const model::Parameters& p) {
-  const std::vector<double> planes = planes_of(p);
+  const std::vector<double> planes = model::planes_of(p);
   for (std::size_t k = 0; k < std::max<std::size_t>(planes.size(), 1); ++k)
     svg.circle(race_centre, planes.empty() ? race : race_radius(planes, k), {rule_colour, "", 5.0});
   svg.line({race_centre.x - 4.0, race_centre.y}, {race_centre.x + 4.0, race_centre.y}, {quiet_ink, ""});
@@ -140,8 +134,8 @@ std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
   draw_race(svg, p);
   draw_balls(svg, page, motion);
   draw_centre(svg, page, motion);
-  svg.text({race_centre.x, rest_place.y + field + 14.0}, planes_of(p).size() > 1 ? "races" : "race", SvgAnchor::middle,
-           quiet_ink);
+  svg.text({race_centre.x, rest_place.y + field + 14.0}, model::planes_of(p).size() > 1 ? "races" : "race",
+           SvgAnchor::middle, quiet_ink);
   return svg.str();
 }
 
