@@ -135,7 +135,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
     const DesignEntry entry(file, "design.vary", key, value);
     for (const DesignVariable& v : variables_)
       if (takes_the_place(v.key, key) || takes_the_place(key, v.key))
-        entry.fail(fmt::format("cannot be varied beside {}, which sets it too", v.key));
+        entry.fail(fmt::format("cannot be varied together with {}, which also sets it", v.key));
     variables_.push_back(read_variable(entry, study_));
   }
   for (const DesignVariable& v : variables_) dimensions_ += coordinates_of(v);

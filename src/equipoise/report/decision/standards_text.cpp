@@ -140,7 +140,7 @@ std::string sliding_text(const BasinResult& r, const Judged& j) {
       "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports{}; without balls "
       "the peak is {:.4g} N{}. It may turn on its feet at a smaller force [PP].",
       *r.study.standards.standing_mass * r.study.scales->mass, *r.study.standards.friction, level * force, share,
-      without * force, without > level ? j.beside ? ", enough too" : ", enough for that" : "");
+      without * force, without > level ? j.beside ? ", which would also make it slide" : ", enough for that" : "");
 }
 
 // What a grade leaves to the rotor at its speed in the end, U_per = M G/omega, and what is left on average; in kg m.

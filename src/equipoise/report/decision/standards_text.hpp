@@ -1,9 +1,12 @@
 // What standards make of an ensemble: balance quality, severity zones, hand-arm exposure, whether the machine slides.
+// Its verdict as JSON, not in verdict.hpp: installed headers need no JSON library.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -22,5 +25,8 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& result);
 
 /// The object "standards" of basin_json(); null where standards_text() is empty.
 Json standards_json(const BasinResult& result);
+
+/// The verdict's lines, and every change that was tried, in the study's shown units.
+Json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/decision/verdict_json.hpp"
+#include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/core/base/percent_text.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -146,7 +146,7 @@ class Judge {
     const std::string asked = percent_text(needed);
     if (bare_keeps) {
       if (kept.least >= needed)
-        say(Decision::not_needed, "Not needed: the rotor keeps every limit without a balancer too.");
+        say(Decision::not_needed, "Not needed: the rotor keeps every limit even without a balancer.");
       else if (kept.most < needed)
         say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
       else

@@ -13,7 +13,6 @@
 #include "equipoise/report/answers/sampling_text.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
-#include "equipoise/report/decision/verdict_json.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/json.hpp"

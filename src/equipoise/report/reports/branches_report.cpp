@@ -144,7 +144,7 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   std::string notes = fmt::format(
       "\nA range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way "
       "between, {} random starts and the pilot were searched. Attractors to which fewer come are not listed, nor those "
-      "that exist only between two of these values. States that you give are followed too.\n",
+      "that exist only between two of these values. States that you give are also followed.\n",
       r.values.front(), r.values.back(), r.starts);
   if (r.partial)
     notes += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";

@@ -115,7 +115,7 @@ double synchronous_speed(const Study& machine, const Refuse& refuse) {
     for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
     refuse(of_motor + "rated_speed",
            texts.empty()
-               ? "is not within 10 % below a synchronous speed at 50 or 60 Hz; give speed.torque.synchronous_speed too"
+               ? "is not within 10 % below a synchronous speed at 50 or 60 Hz; also give speed.torque.synchronous_speed"
                : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
                              fmt::join(texts, ", ")));
   }

@@ -195,7 +195,7 @@ void read_grade(StudyFile& file) {
   TableReader reader(file, "limits");
   if (!file.physical)
     reader.fail("residual", "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`");
-  if (reader.has("grade")) reader.fail("residual", "is a grade too; give either limits.grade or this, not both");
+  if (reader.has("grade")) reader.fail("residual", "is already a grade; give limits.grade or this, not both");
   const auto grade = grade_named(*text);
   if (!grade || !positive.contains(*grade))
     reader.fail("residual", "must be \"G\" and a number of mm/s greater than 0, such as \"G 6.3\", or an unbalance");
