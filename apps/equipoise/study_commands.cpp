@@ -14,7 +14,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -8,7 +8,6 @@
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
 #include "equipoise/report/explain/study_check.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"

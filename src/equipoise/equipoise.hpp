@@ -45,7 +45,6 @@
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/html/capacity_html.hpp"

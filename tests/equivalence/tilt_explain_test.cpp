@@ -15,7 +15,7 @@
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/machine/mechanics/whirl.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"

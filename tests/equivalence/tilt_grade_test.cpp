@@ -16,7 +16,7 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/studies.hpp"

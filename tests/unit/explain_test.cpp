@@ -8,7 +8,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

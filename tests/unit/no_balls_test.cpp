@@ -16,7 +16,6 @@
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 

@@ -11,7 +11,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/explain/balanced_motion.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

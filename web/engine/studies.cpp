@@ -14,7 +14,6 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/html/form.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 

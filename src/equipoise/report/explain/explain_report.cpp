@@ -1,5 +1,5 @@
 // A study explained, as text and as JSON.
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 
 #include <algorithm>
 #include <array>

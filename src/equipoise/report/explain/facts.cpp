@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"

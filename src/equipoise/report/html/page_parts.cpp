@@ -13,7 +13,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
 #include "equipoise/report/answers/start_text.hpp"
