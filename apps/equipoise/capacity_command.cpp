@@ -10,8 +10,8 @@
 #include "equipoise/analyses/sweeps/capacity.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/html/capacity_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
@@ -91,10 +91,10 @@ int run_capacity(CapacityArguments& a) {
   ProgressLine progress(a.quiet, options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
-  put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },
+  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
                 [&] { return plot_file(capacity_title(result), capacity_plots(result)); },
-                [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
+                [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
   if (result.trials > 0)

@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "equipoise/analyses/design/design.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/html/design_html.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
@@ -62,9 +62,9 @@ int run_design(const DesignArguments& a) {
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
   put_forms(a,
-            {[&] { return design_text(result, text_style()); }, [&] { return design_json(result); },
+            {[&] { return result_text(result, text_style()); }, [&] { return design_json(result); },
              [&] { return design_csv(result); }, [&] { return plot_file(design_title(result), design_plots(result)); },
-             [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
+             [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {

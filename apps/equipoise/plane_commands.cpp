@@ -15,7 +15,7 @@
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/map_html.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "help.hpp"
@@ -178,11 +178,11 @@ int run_map(const MapArguments& a) {
       [](const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); },
       [&](const BasinSlice& map, const StudySource& source) {
         if (map.read_whole) say("read from {}", a.output);
-        return FormMakers{[&] { return map_text(map, text_style()); },
+        return FormMakers{[&] { return result_text(map, text_style()); },
                           [&] { return map_json(map); },
                           {},
                           [&] { return map_plot(map, file_title(map.study)); },
-                          [&] { return map_html(map, given_machine(source.toml, source.name, source.overrides)); }};
+                          [&] { return result_page(map, given_machine(source.toml, source.name, source.overrides)); }};
       });
 }
 

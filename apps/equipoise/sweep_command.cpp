@@ -14,7 +14,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/sweep_html.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
@@ -40,9 +40,9 @@ struct SweepArguments : ResultForms {
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
-  put_forms(a, {[&] { return sweep_text(result, text_style()); }, [&] { return sweep_json(result); },
+  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return sweep_json(result); },
                 [&] { return sweep_csv(result); }, [&] { return sweep_plot(result, file_title(result.study)); },
-                [&] { return sweep_html(result, machine()); }});
+                [&] { return result_page(result, machine()); }});
 }
 
 constexpr FormWords sweep_words{help::sweep::csv, help::sweep::plot};

@@ -14,6 +14,7 @@
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -116,8 +117,8 @@ auto made(Make make) {
 
 /// A method that gives its page.
 template <class Result>
-auto paged(std::string (*make)(const Result&, const GivenMachine&)) {
-  return [make](const Kept<Result>& kept) { return make(kept.result, machine_of(kept)); };
+auto paged() {
+  return [](const Kept<Result>& kept) { return result_page(kept.result, machine_of(kept)); };
 }
 
 /// A method that writes the result.

@@ -7,7 +7,7 @@
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
-#include "equipoise/report/html/map_html.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
@@ -147,10 +147,10 @@ void bind_planes(py::module_& module) {
   });
   module.def("point_numbers", [] { return attributes_of_all(point_numbers); });
   module.def("axis_units", [](const std::string& key) { return SliceAxis{key}.angle() ? "radian" : "1"; });
-  bind_kept<BasinSlice>(module, "Map", &map_text, &map_json)
+  bind_kept<BasinSlice>(module, "Map", &result_text<BasinSlice>, &map_json)
       .def("arrays", made<BasinSlice>(&arrays_of_map))
       .def("summary", made<BasinSlice>(&summary_of_map))
-      .def("page", paged<BasinSlice>(&map_html))
+      .def("page", paged<BasinSlice>())
       .def("save", saved<BasinSlice>(&write_map_file));
   module.def("map", &draw_map);
   bind_kept<StabilityPlane>(module, "Stability", &stability_text, &stability_json)

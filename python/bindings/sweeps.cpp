@@ -6,9 +6,7 @@
 #include "equipoise/analyses/sweeps/capacity.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/report/html/capacity_html.hpp"
-#include "equipoise/report/html/design_html.hpp"
-#include "equipoise/report/html/sweep_html.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/cell_files/sweep_file.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
@@ -81,21 +79,21 @@ Kept<Inspection> inspect(const std::string& path) {
 }  // namespace
 
 void bind_sweeps(py::module_& module) {
-  bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
+  bind_kept<SweepResult>(module, "Sweep", &result_text<SweepResult>, &sweep_json)
       .def("csv", made<SweepResult>(&sweep_csv))
-      .def("page", paged<SweepResult>(&sweep_html))
+      .def("page", paged<SweepResult>())
       .def("study", [](const Kept<SweepResult>& s) { return PyStudy::of(s.result.study); })
       .def("save", saved<SweepResult>(&write_sweep_file));
   module.def("sweep_setting", &sweep_setting);
   module.def("sweep", &run_sweep);
   module.def("merge", &merge);
-  bind_kept<CapacityResult>(module, "Capacity", &capacity_text, &capacity_json)
+  bind_kept<CapacityResult>(module, "Capacity", &result_text<CapacityResult>, &capacity_json)
       .def("csv", made<CapacityResult>(&capacity_csv))
-      .def("page", paged<CapacityResult>(&capacity_html));
+      .def("page", paged<CapacityResult>());
   module.def("capacity", &find_capacity);
-  bind_kept<DesignResult>(module, "Design", &design_text, &design_json)
+  bind_kept<DesignResult>(module, "Design", &result_text<DesignResult>, &design_json)
       .def("csv", made<DesignResult>(&design_csv))
-      .def("page", paged<DesignResult>(&design_html))
+      .def("page", paged<DesignResult>())
       .def("best", &best_of);
   module.def("design", &find_design);
   bind_kept<Inspection>(module, "Inspection", &inspection_text, &inspection_json);

@@ -17,6 +17,7 @@
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/report/answers/design_words.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 
 namespace equipoise {
@@ -111,7 +112,7 @@ TEST(Design, TheStudyItselfIsACandidate) {
     EXPECT_TRUE(best.as_it_is && result.feasible);
     EXPECT_EQ(result.partial, cut);
     EXPECT_TRUE(best.held_out);
-    EXPECT_TRUE(holds(design_text(result), "Leave it as it is: it keeps all requirements")) << design_text(result);
+    EXPECT_TRUE(holds(result_text(result), "Leave it as it is: it keeps all requirements")) << result_text(result);
     EXPECT_TRUE(holds(result.best_study, "balls = 4")) << result.best_study;
   }
 }
@@ -126,7 +127,7 @@ TEST(Design, LeavesTheBalancerOutBelowTheCriticalSpeed) {
     EXPECT_TRUE(result.leave_out && result.front.empty() && !result.chosen && !result.partial);
     EXPECT_EQ(result.trajectories, 0u);
     EXPECT_LT(result.cpu_seconds, 2.0);
-    EXPECT_TRUE(design_text(result).starts_with("verdict  Leave the balancer out: the rotor runs "));
+    EXPECT_TRUE(result_text(result).starts_with("verdict  Leave the balancer out: the rotor runs "));
   }
   const DesignResult faster = design(problem_of(slow + "\"speed.final\" = [\"420 rpm\", \"1800 rpm\"]\n" + require));
   EXPECT_FALSE(faster.leave_out);
@@ -303,7 +304,7 @@ TEST(Design, IsToldOfACandidateThatTheSearchDidNotReach) {
   const std::string json = design_json(result);
   EXPECT_NE(json.find("\"value\": 0.5"), std::string::npos);
   EXPECT_EQ(json.find("on_search_starts"), std::string::npos);
-  EXPECT_NE(design_text(result, {}).find("50"), std::string::npos);
+  EXPECT_NE(result_text(result, {}).find("50"), std::string::npos);
 }
 
 TEST(Design, StoppedSearchTellsWhatItHadFound) {

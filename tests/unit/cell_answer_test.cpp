@@ -10,7 +10,7 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -78,18 +78,18 @@ TEST(SweepAnswer, ComparesCellsByTheLimitsThatStartsKeep) {
   keep(0, 20);
   EXPECT_TRUE(holds(answer_sentence(r), "The rotor ends balanced most often at final speed 2 ω_c"))
       << answer_sentence(r);
-  EXPECT_TRUE(holds(sweep_text(r), "20.0 % (13.3 to 28.9)                      -")) << sweep_text(r);
+  EXPECT_TRUE(holds(result_text(r), "20.0 % (13.3 to 28.9)                      -")) << result_text(r);
   keep(1, 60);
   EXPECT_EQ(answer_sentence(r),
             "Every limit is kept most often at final speed 3 ω_c: in 50.2 to 69.1 % of starts; least often at final "
             "speed 2 ω_c: in 13.3 to 28.9 % (95 % confidence in each cell).");
-  EXPECT_TRUE(holds(sweep_text(r), "answer   Every limit is kept most often")) << sweep_text(r);
-  EXPECT_TRUE(holds(sweep_text(r), "keep all limits"));
+  EXPECT_TRUE(holds(result_text(r), "answer   Every limit is kept most often")) << result_text(r);
+  EXPECT_TRUE(holds(result_text(r), "keep all limits"));
   for (const Within one_kind : {Within::at_end, Within::on_the_way}) {
     keep(0, 20, one_kind);
     keep(1, 60, one_kind);
     EXPECT_TRUE(holds(answer_sentence(r), "Every limit is kept most often at final speed 3 ω_c"));
-    EXPECT_TRUE(holds(sweep_text(r), "keep all limits"));
+    EXPECT_TRUE(holds(result_text(r), "keep all limits"));
   }
 }
 
@@ -188,7 +188,7 @@ TEST(CapacityAnswer, SaysWhatTheFirstTrialsShow) {
 
 TEST(CapacityTable, TellsOnlyEndsThatATrialShows) {
   const auto row = [](const CapacityCell& cell) {
-    const DocumentTable table = capacity_table(capacity_of({cell}), key_itself);
+    const DocumentTable table = capacity_table(capacity_of({cell}));
     return table.rows.at(0).at(0).text + " | " + table.rows.at(0).at(1).text;
   };
   EXPECT_EQ(row({{trial(20.0, 0)}, {}, 20.0, 20.0, false, true}), "below 20 | ? and 20");

@@ -15,6 +15,7 @@
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
@@ -84,7 +85,7 @@ TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
     cell->undecided = cell->diverged = cell->failed = wilson_share(0, 1000);
     r.cells.push_back(cell);
   }
-  const std::string text = sweep_text(r);
+  const std::string text = result_text(r);
   std::size_t from = 0;
   for (const char* title : {"starts      balanced", " V2 ", " V1 ", " V2 (3) ", " V2 (2) ", "others", "undecided"}) {
     from = text.find(title, from);
@@ -93,7 +94,7 @@ TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
   EXPECT_NE(text.find("Others: 1 motion: V3, 5.00 % at most, in 1 cell.\n"), std::string::npos) << text;
   r.cells.pop_back();
   r.cells.push_back(nullptr);
-  EXPECT_EQ(sweep_text(r).find("thers"), std::string::npos);
+  EXPECT_EQ(result_text(r).find("thers"), std::string::npos);
 }
 
 // Two motions of one name, which no catalogue makes, still get different columns.
@@ -112,7 +113,7 @@ TEST(SweepText, NeverHasTwoColumnsOfOneTitle) {
   }
   cell->undecided = cell->diverged = cell->failed = wilson_share(0, 10);
   r.cells = {cell};
-  EXPECT_NE(sweep_text(r).find("stuck #8  stuck #9"), std::string::npos) << sweep_text(r);
+  EXPECT_NE(result_text(r).find("stuck #8  stuck #9"), std::string::npos) << result_text(r);
 }
 
 // RFC 4180: quotes around text that contains a comma or a quote, inner quotes doubled.

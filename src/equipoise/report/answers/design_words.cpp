@@ -277,11 +277,4 @@ DesignVerdict design_verdict(const DesignResult& r) {
   return verdict;
 }
 
-std::string design_verdict_text(const DesignResult& r, const TextStyle& style) {
-  const DesignVerdict verdict = design_verdict(r);
-  const Tone tone = r.partial ? Tone::open : r.feasible ? Tone::good : Tone::bad;
-  return in_tone(filled("verdict  ", verdict.words, style), tone, style) + filled("because  ", verdict.because, style) +
-         filled("margins  ", verdict.margins, style) + "\n";
-}
-
 }  // namespace equipoise

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 
 namespace equipoise {
@@ -38,7 +38,5 @@ struct DesignVerdict {
   std::string margins;  ///< how far each number may be off
 };
 DesignVerdict design_verdict(const DesignResult& result);
-/// Three lines, "verdict  4 balls of 12 mm...", and the empty line after them.
-std::string design_verdict_text(const DesignResult& result, const TextStyle& style = wide_style);
 
 }  // namespace equipoise

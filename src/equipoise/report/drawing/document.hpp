@@ -1,10 +1,11 @@
-// A report as blocks, independent of the page made of it.
+// A result as blocks. The terminal prints them (report/text/table_text.hpp), and a page shows them with their drawings.
 // This room: plots, SVG and documents: the means of drawing, no result.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -74,15 +75,22 @@ struct DrawingRow {
 /// Verbatim lines, shown on demand.
 struct Listing {
   std::string caption, text;
+  bool open = false;  ///< part of the answer: always shown
 };
-using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, DrawingRow, Listing>;
+/// The same in two forms: lines for the terminal, and a sentence for a page, which has room for the rest elsewhere.
+struct Brief {
+  std::string lines, sentence;
+};
+using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, DrawingRow, Listing, Brief>;
 
 struct Document {
   std::string title;
   std::vector<Block> blocks;
   /// A sheet to take to a meeting: closely set, at most two pages of A4 if its writer keeps to that, dark on dark
-  /// screens.
+  /// screens. Its long tables are folded, and end where paper would have no end.
   bool sheet = false;
+
+  void add(Block block) { blocks.push_back(std::move(block)); }
 };
 
 /// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.

@@ -23,6 +23,7 @@ std::string linked(const DocumentCell& cell) {
 
 class HtmlWriter {
  public:
+  explicit HtmlWriter(bool sheet) : sheet_(sheet) {}
   std::string out;
 
   void operator()(const Heading& h) {
@@ -40,7 +41,7 @@ class HtmlWriter {
   void operator()(const Notice& n) {
     out += fmt::format("<div class=\"notice {}\">\n<p>{}</p>\n", name_of(n.tone), html_text(n.text));
     for (const auto& [word, line] : n.lines)
-      out += fmt::format("<p><span>{}</span> {}</p>\n", html_text(word), html_text(line));
+      if (!line.empty()) out += fmt::format("<p><span>{}</span> {}</p>\n", html_text(word), html_text(line));
     out += "</div>\n";
   }
 
@@ -51,7 +52,14 @@ class HtmlWriter {
   }
 
   void operator()(const DocumentTable& t) {
-    if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", html_text(t.caption));
+    constexpr std::size_t short_enough = 40, most = 5000;
+    const std::size_t all = t.rows.size(), shown = sheet_ ? std::min(all, most) : all;
+    const bool long_one = sheet_ && all > short_enough, folded = t.folded || long_one;
+    const std::string caption =
+        !long_one ? t.caption : fmt::format("All {} rows{}{}", all, t.caption.empty() ? "" : ". ", t.caption);
+    if (shown < all)
+      (*this)(Paragraph{fmt::format("The table ends after {} of {} rows; the CSV file has all of them.", shown, all)});
+    if (folded) out += fmt::format("<details><summary>{}</summary>\n", html_text(caption));
     out += "<div class=\"scroll\"><table>\n";
     const auto spare = [&](std::size_t k) { return std::find(t.spare.begin(), t.spare.end(), k) != t.spare.end(); };
     out += "<thead><tr>";
@@ -61,7 +69,8 @@ class HtmlWriter {
                          html_text(t.header[k]));
     }
     out += "</tr></thead>\n<tbody>\n";
-    for (const auto& row : t.rows) {
+    for (std::size_t r = 0; r < shown; ++r) {
+      const auto& row = t.rows[r];
       out += "<tr>";
       for (std::size_t k = 0; k < row.size(); ++k)
         out += fmt::format("<td{}>{}</td>",
@@ -73,8 +82,8 @@ class HtmlWriter {
       out += "</tr>\n";
     }
     out += "</tbody></table></div>\n";
-    if (!t.folded && !t.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", html_text(t.caption));
-    if (t.folded) out += "</details>\n";
+    if (!folded && !caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", html_text(caption));
+    if (folded) out += "</details>\n";
   }
 
   void operator()(const DrawingRow& row) {
@@ -96,12 +105,18 @@ class HtmlWriter {
     out += "</figure>\n";
   }
 
+  void operator()(const Brief& brief) {
+    if (!brief.sentence.empty()) (*this)(Paragraph{brief.sentence});
+  }
+
   void operator()(const Listing& listing) {
-    out += fmt::format("<details><summary>{}</summary>\n<pre>{}</pre>\n</details>\n", html_text(listing.caption),
-                       html_text(listing.text));
+    out += fmt::format("<details{}><summary>{}</summary>\n<pre>{}</pre>\n</details>\n", listing.open ? " open" : "",
+                       html_text(listing.caption), html_text(listing.text));
   }
 
  private:
+  const bool sheet_;
+
   static std::string style_of(const std::string& a, const std::string& b, const std::string& c) {
     std::string names;
     for (const std::string* name : {&a, &b, &c})
@@ -121,7 +136,7 @@ std::string contents(const Document& document) {
 }  // namespace
 
 std::string document_html(const Document& document) {
-  HtmlWriter writer;
+  HtmlWriter writer(document.sheet);
   for (const Block& block : document.blocks) std::visit(writer, block);
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   // Style and pictures are in it; it runs no script and fetches nothing.

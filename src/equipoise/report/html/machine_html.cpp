@@ -17,6 +17,7 @@
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/answers/sampling_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -46,7 +47,7 @@ class MachineDocument {
         shown_(page.basin.study) {}
 
   Document make() {
-    document_ = page_with(study_, answer_sentence(basin_), verdict());
+    document_ = document_with(study_, answer_sentence(basin_), "", verdict());
     if (basin_.partial) add(Paragraph{"Stopped early: all figures are of the starts that were done.", Tone::bad});
     if (!basin_.note.empty() && study_.parameters.balls > 0)
       add(Paragraph{"Note: " + note_text(study_, basin_.note) + ".", Tone::open});
@@ -65,7 +66,6 @@ class MachineDocument {
       ends();
       way();
     }
-    add_machine(document_, page_, "in the study", true);
     origin();
     return std::move(document_);
   }
@@ -332,7 +332,6 @@ class MachineDocument {
 
   // How that is known.
   void origin() {
-    add(Heading{2, "How it was computed", ""});
     std::string text =
         study_.parameters.balls == 0
             ? std::string()
@@ -340,12 +339,14 @@ class MachineDocument {
                           basin_.starts, starts_words(study_, drawn_keys(study_)),
                           shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
     if (study_.parameters.balls > 0) text += on_one_line(sampling_text(basin_));
-    RunWords run{basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds};
+    if (basin_.resumed_from > 0) text += fmt::format(" {} starts from an earlier run.", basin_.resumed_from);
+    struct {
+      double seconds, cpu_seconds;
+      int threads;
+      std::string cpu_target;
+    } run{basin_.seconds, basin_.cpu_seconds, basin_.threads, basin_.cpu_target};
     for (const TriedChange& t : tried_) run.seconds += t.seconds, run.cpu_seconds += t.cpu_seconds;
-    text += model_words(study_, run);
-    if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
-    add(Paragraph{text + "."});
-    add_study(document_, study_);
+    add_origin(document_, study_, text, computed_text(run));
   }
 
   const MachinePage& page_;
@@ -360,7 +361,7 @@ class MachineDocument {
 }  // namespace
 
 std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
-  return document_html(MachineDocument(page, tried).make());
+  return document_page(MachineDocument(page, tried).make(), page.basin.study, page);
 }
 
 }  // namespace equipoise

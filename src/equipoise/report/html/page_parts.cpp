@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/explain/explain.hpp"
@@ -53,8 +53,9 @@ std::string figures_words(const RuleOfThumb& rule, const Study& study) {
 DocumentTable advice_table(const Explanation& e) {
   DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
                       {},
-                      "docs/explanation/rules-of-thumb.md derives these formulas and says how often each is right.",
-                      false,
+                      "Rules of thumb: docs/explanation/rules-of-thumb.md derives these formulas and says how often "
+                      "each is right.",
+                      true,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
     table.rows.push_back({{rule.name, Tone::plain, false, true},
@@ -82,23 +83,16 @@ DocumentTable facts_table(const Explanation& e) {
 
 }  // namespace
 
-Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict) {
-  Document document;
-  document.title = "Ball balancer: " + stem_of(study.name);
-  document.sheet = true;
-  if (verdict) document.blocks.push_back(*verdict);
-  document.blocks.push_back(Paragraph{answer, Tone::plain, true});
-  if (std::string held = release_text(study); !held.empty()) {
-    held.front() = 'B';
-    document.blocks.push_back(Paragraph{held + "."});
-  }
+Document document_with(const Study& study, const std::string& answer, const std::string& drawn,
+                       const std::optional<Notice>& verdict) {
+  Document document{"Ball balancer: " + stem_of(study.name), {}, true};
+  if (verdict) document.add(*verdict);
+  if (!answer.empty()) document.add(Paragraph{answer, Tone::plain, true});
+  std::string lines = study_heading(study) + drawn, held = release_text(study);
+  lines.erase(lines.find_last_not_of('\n') + 1);
+  if (!held.empty()) held.front() = 'B', held += ".";
+  document.add(Brief{lines, held});
   return document;
-}
-
-void add_missing_cells(Document& document, std::size_t done, std::size_t cells) {
-  if (done < cells)
-    document.blocks.push_back(
-        Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done, cells), Tone::bad});
 }
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
@@ -111,48 +105,61 @@ std::string starts_words(const Study& study, const std::vector<std::string>& dra
                      instead.empty() ? "" : fmt::format(" (not from {} of the study)", fmt::join(instead, ", ")));
 }
 
-std::string model_words(const Study& study, const RunWords& run) {
+std::string varied_words(const std::vector<SweepAxis>& axes) {
+  constexpr std::size_t few = 6;
   std::string text;
-  if (!study.speed.driven() && study.speed.profile != Profile::constant)
-    text = fmt::format(" Speed law: {}.", name_of(study.speed.law));
-  text += fmt::format(
-      " Intervals hold with 95 % confidence. The model: {}, docs/explanation/equations.md. equipoise {}, {}",
-      study.parameters.tilts() ? "a rigid rotor that tilts" : "a rotor in a plane", version_string, run.cpu_target);
-  constexpr double shown = 0.05;
-  if (run.seconds >= shown)
-    text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, plural(run.threads), run.seconds,
-                        run.cpu_seconds);
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
+    const std::size_t count = p.given.size();
+    text += text.empty() ? "" : "; ";
+    text += count <= few
+                ? fmt::format("{} {}", key_words(p.key), fmt::join(p.given, ", "))
+                : fmt::format("{} from {} to {} ({} values)", key_words(p.key), p.given.front(), p.given.back(), count);
+  });
   return text;
 }
 
-void add_machine(Document& document, const GivenMachine& machine, const std::string& given, bool fold) {
-  const auto add = [&](Block block) { document.blocks.push_back(std::move(block)); };
+void add_origin(Document& document, const Study& study, const std::string& words, const std::string& computed) {
+  std::string text = words;
+  if (!study.speed.driven() && study.speed.profile != Profile::constant)
+    text += fmt::format(" Speed law: {}.", name_of(study.speed.law));
+  text += fmt::format(" Intervals hold with 95 % confidence. The model: {}; equipoise {}{}{}.",
+                      study.parameters.tilts() ? "a rigid rotor that tilts" : "a rotor in a plane", version_string,
+                      computed.empty() ? "" : "; ", computed);
+  document.add(Heading{2, "How it was computed", ""});
+  document.add(Paragraph{text});
+}
+
+namespace {
+
+// The study's statements, what follows, rules of thumb and warnings.
+void add_machine(Document& document, const GivenMachine& machine) {
   if (!machine.assumed.empty()) {
-    add(Heading{2, "What was assumed", ""});
-    add(ItemList{machine.assumed});
-    if (!machine.matters_most.empty()) add(Paragraph{"What matters most: " + machine.matters_most + "."});
+    document.add(Heading{2, "What was assumed", ""});
+    document.add(ItemList{machine.assumed});
+    if (!machine.matters_most.empty()) document.add(Paragraph{"What matters most: " + machine.matters_most + "."});
   }
-  add(Heading{2, "The machine", ""});
-  DocumentTable table{{"given", given}};
+  document.add(Heading{2, "The machine", ""});
+  DocumentTable table{{"given", "in the study"}};
   for (const GivenTable& of : machine.given) {
     std::string text;
     for (const auto& [key, value] : of.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
     table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
   }
-  add(std::move(table));
-  add(facts_table(machine.explanation));
-  DocumentTable rules = advice_table(machine.explanation);
-  rules.folded = fold;
-  if (fold) rules.caption = "Rules of thumb: " + rules.caption;
-  if (!rules.rows.empty()) add(std::move(rules));
+  document.add(std::move(table));
+  document.add(facts_table(machine.explanation));
+  if (DocumentTable rules = advice_table(machine.explanation); !rules.rows.empty()) document.add(std::move(rules));
   for (const std::string& warning : machine.explanation.warnings)
-    add(Paragraph{"Beware: " + warning + ".", Tone::open});
+    document.add(Paragraph{"Beware: " + warning + ".", Tone::open});
 }
 
-void add_study(Document& document, const Study& study) {
-  if (study.scales) document.blocks.push_back(Listing{"The study in full, in physical units", to_physical_toml(study)});
-  document.blocks.push_back(
+}  // namespace
+
+std::string document_page(Document document, const Study& study, const GivenMachine& machine) {
+  add_machine(document, machine);
+  if (study.scales) document.add(Listing{"The study in full, in physical units", to_physical_toml(study)});
+  document.add(
       Listing{study.scales ? "The same without dimensions, as it was computed" : "The study in full", to_toml(study)});
+  return document_html(document);
 }
 
 }  // namespace equipoise

@@ -1,40 +1,46 @@
-// Parts that all pages share: the machine, how it was computed, the full study.
-// This room: pages for a meeting.
+// Parts that all results' documents share: how they begin, how they were computed, the machine, the full study.
+// This room: results as documents for a meeting, and studies as forms.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/machine_page.hpp"
+#include "equipoise/results/commands/sweep_result.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 
-/// A page with its title, "Ball balancer: angle-grinder", a verdict if there is one, and the answer.
-Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict = {});
-/// Adds a note if some cells are missing.
-void add_missing_cells(Document& document, std::size_t done, std::size_t cells);
+/// A result's document with its title, "Ball balancer: angle-grinder", a verdict if there is one, the answer if there
+/// is one, and the study in a few lines, with those on what is `drawn` (report/reports/sensitivity_report.hpp).
+Document document_with(const Study& study, const std::string& answer, const std::string& drawn,
+                       const std::optional<Notice>& verdict = {});
 
 /// "at random ball angles, seed 1"; `drawn`: keys of values that each start draws.
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn);
+/// "final speed from 1.5 to 6 (46 values); ball drag 0.05, 0.1": what varies.
+std::string varied_words(const std::vector<SweepAxis>& axes);
 
-/// What a run took; negligible times are omitted.
-struct RunWords {
-  std::string cpu_target;
-  int threads = 1;
-  double seconds = 0.0, cpu_seconds = 0.0;
-};
-/// Speed law, intervals, model, version, time; without a full stop.
-std::string model_words(const Study& study, const RunWords& run);
+/// The last block of every result: a heading, `words`, and then speed law, intervals, model, version, and what the run
+/// took (`computed`; may be empty).
+void add_origin(Document& document, const Study& study, const std::string& words, const std::string& computed);
 
-/// Heading, the study's statements, what follows, warnings. `given`: whose values these are; `fold`: rules of thumb are
-/// shown on demand, and what is assumed stands in a section of its own.
-void add_machine(Document& document, const GivenMachine& machine, const std::string& given, bool fold = false);
+/// The whole page of a result: its document, the machine, and the study in full. One self-contained HTML file, without
+/// network or scripts, for light and dark screens, phones, and two pages of A4 unless the study states more than most.
+/// `machine`: from the original study (report/html/given_machine.hpp).
+std::string document_page(Document document, const Study& study, const GivenMachine& machine);
 
-/// The full study, folded: in physical units if it has them, and dimensionless.
-void add_study(Document& document, const Study& study);
+/// A result's document as text and as a page.
+template <class Result>
+std::string result_text(const Result& result, const TextStyle& style = wide_style) {
+  return document_text(document_of(result), style);
+}
+template <class Result>
+std::string result_page(const Result& result, const GivenMachine& machine) {
+  return document_page(document_of(result), result.study, machine);
+}
 
 }  // namespace equipoise

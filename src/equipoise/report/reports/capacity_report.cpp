@@ -1,4 +1,4 @@
-// Capacities as text, JSON and CSV.
+// Capacities as a document, JSON and CSV.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -12,7 +12,10 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/json.hpp"
@@ -44,11 +47,10 @@ std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cel
 
 }  // namespace
 
-DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
+DocumentTable capacity_table(const CapacityResult& r) {
   DocumentTable table;
-  table.header = parameter_titles(r.axes, words);
-  table.header.insert(table.header.end(),
-                      {column_title(words(r.key), r.unit), "between", "undecided at most", "trials"});
+  table.header = parameter_titles(r.axes);
+  table.header.insert(table.header.end(), {column_title(r.key, r.unit), "between", "undecided at most", "trials"});
   table.spare = {table.header.size() - 1};
   table.caption =
       "Between: at the first value the share is large enough with 95 % confidence, however the undecided starts end; "
@@ -80,23 +82,55 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
   return table;
 }
 
-std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
+namespace {
+
+// The values that were tried, of a capacity alone.
+DocumentTable table_of_trials(const CapacityResult& r) {
+  DocumentTable table{{column_title(r.key, r.unit), "balanced", "95 % interval", "undecided"}};
+  for (const CapacityTrial& t : r.cells.front()->trials) {
+    std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
+    if (t.unstable)
+      row.insert(row.end(), {number_cell("none"), {"no balanced state attracts"}, number_cell("-")});
+    else
+      row.insert(row.end(), {share_cell(t.balanced), number_cell(interval(t.balanced)), share_cell(t.undecided)});
+    table.rows.push_back(std::move(row));
+  }
+  table.caption = "All values that were tried.";
+  return table;
+}
+
+}  // namespace
+
+Document document_of(const CapacityResult& r) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
-  std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
-  text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += lines_filled(fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key,
-                                   100.0 * r.at_least, r.asked(), sought_text(r)),
-                       style);
-  text += table_text(capacity_table(r, key_itself), style);
-  std::string notes =
-      fmt::format("Located to {}; a dip of the share between two of the values tried would be missed.\n",
-                  in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete()) notes += "PARTIAL: stopped before all cells were done.\n";
-  if (r.resumed_trials > 0) notes += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
-  notes += fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
-                       r.study.sampling.seed, computed_text(r), version_string);
-  return text + lines_filled(notes, style);
+  Document document = document_with(r.study, answer_sentence(r), uncertain_text(r.study, set));
+  if (!r.complete()) document.add(Paragraph{"PARTIAL: stopped before all cells were done.", Tone::bad});
+  document.add(Paragraph{fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.", r.key,
+                                     100.0 * r.at_least, r.asked(), sought_text(r))});
+  const bool any = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& cell) { return cell.has_value(); });
+  if (any) {
+    document.add(Heading{2, r.axes.empty() ? "How often it balances" : "What it balances", ""});
+    const std::string caption =
+        r.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+                       : fmt::format(
+                             "The largest {} at which {:.4g} % of starts {}. A stroke is its 95 % interval: below its "
+                             "lower end that is shown, above its upper end it is shown to fail.",
+                             key_words(r.key), 100.0 * r.at_least, r.asked());
+    document.add(drawn(capacity_plots(r), capacity_title(r), caption, true));
+  }
+  document.add(capacity_table(r));
+  if (any && r.axes.empty()) document.add(table_of_trials(r));
+  std::string words = fmt::format(
+      "Values of {} in steps of an eighth of the range until one is shown to be too large, then halved to {}; a dip of "
+      "the share between two of them would be missed.",
+      key_words(r.key), in_unit(r, four_digits(r.precision * (r.to - r.from))));
+  if (!r.axes.empty()) words += fmt::format(" Varied: {}.", varied_words(r.axes));
+  words += fmt::format(" {} starts per trial {}, the same in all.", r.starts,
+                       starts_words(r.study, drawn_keys(r.study, set)));
+  if (r.resumed_trials > 0) words += fmt::format(" {} trials from an earlier run.", r.resumed_trials);
+  add_origin(document, r.study, words, computed_text(r));
+  return document;
 }
 
 std::string capacity_json(const CapacityResult& r) {

@@ -1,17 +1,22 @@
 // Fronts, choices and margins in words and numbers.
 #include "equipoise/report/reports/reports.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
+#include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/design_words.hpp"
-#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
@@ -79,12 +84,11 @@ std::string optimism_text(const DesignResult& r) {
                      figure_words(r.figures[k], true), gain > 0.0 ? "which was optimistic" : "which was pessimistic");
 }
 
-}  // namespace
-
-DocumentTable front_table(const DesignResult& r, KeyWords words) {
+// Candidates that no other beats, the chosen one good.
+DocumentTable front_table(const DesignResult& r) {
   DocumentTable table;
   for (const std::size_t k : r.objectives) table.header.push_back(figure_words(r.figures[k], true));
-  for (const DesignVariable& v : r.variables) table.header.push_back(words(v.key));
+  for (const DesignVariable& v : r.variables) table.header.push_back(thing_of(v.key));
   for (std::size_t m = 0; m < r.front.size(); ++m) {
     std::vector<DocumentCell> row;
     for (const std::size_t k : r.objectives)
@@ -93,17 +97,18 @@ DocumentTable front_table(const DesignResult& r, KeyWords words) {
     for (DocumentCell& cell : row) cell.tone = r.chosen == m ? Tone::good : Tone::plain;
     table.rows.push_back(std::move(row));
   }
-  if (r.objectives.size() > 1)
-    table.caption =
-        "The chosen one is marked: it lies nearest to the best of every objective, each scaled by the front's own "
-        "range.";
+  table.caption = fmt::format(
+      "{} candidate{} that no other beats. The chosen one is marked: it lies nearest to the best of every objective, "
+      "each scaled by the front's own range.",
+      r.front.size(), plural(r.front.size()));
   return table;
 }
 
+// The chosen design beside the study as it is.
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  DocumentTable table{{"figure", design_as_given, "chosen", "must be"}, {}, "", false, {3}};
+  DocumentTable table{{"figure", design_as_given, "chosen", "must be"}, {}, "", false, {3}, 1};
   const DesignSample* before = r.before ? &*r.before : nullptr;
   for (std::size_t k = 0; k < now.figures.size(); ++k) {
     table.rows.push_back(row_of(
@@ -124,17 +129,17 @@ DocumentTable figure_table(const DesignResult& r) {
   return table;
 }
 
-DocumentTable margin_table(const DesignResult& r, KeyWords words) {
+// How far each number of the chosen design may be off.
+DocumentTable margin_table(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   DocumentTable table{{"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}};
   for (const DesignMargin& m : r.margins) {
     const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
     table.rows.push_back(row_of(
-        "lnnnnt",
-        {words(margin_name(m.key)), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
-         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
-         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_to) : "-", estimate_text(first, m.effect),
-         ordered ? fails_text(m) : "choices have no ends"}));
+        "lnnnnt", {thing_of(m.key), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
+                   ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
+                   ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_to) : "-", estimate_text(first, m.effect),
+                   ordered ? fails_text(m) : "choices have no ends"}));
   }
   table.caption = fmt::format(
       "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
@@ -143,50 +148,97 @@ DocumentTable margin_table(const DesignResult& r, KeyWords words) {
   return table;
 }
 
-namespace {
+// A spin-up is a sentence, which a narrow screen may wrap.
+DocumentCell value_cell(const StudyValue& value) {
+  return value.table() ? DocumentCell{setting_text(value)} : number_cell(setting_text(value));
+}
 
-std::string required_text(const DesignResult& r, const TextStyle& style) {
-  std::string text;
-  for (const DesignLimit& limit : r.limits)
-    text += fmt::format("{}{} {}", text.empty() ? "Must be: " : "; ", figure_words(r.figures[limit.figure], true),
-                        limit_text(r.figures[limit.figure], limit));
-  return text.empty() ? "" : filled("", text + ".", style);
+std::string range_words(const DesignVariable& v) {
+  if (!v.numbers.empty())
+    return fmt::format("{} values from {} to {}", v.choices.size(), setting_text(v.choices.front()),
+                       setting_text(v.choices.back()));
+  if (!v.choices.empty()) {
+    std::string words;
+    for (const StudyValue& choice : v.choices) words += (words.empty() ? "" : ", ") + setting_text(choice);
+    return words;
+  }
+  const std::string unit = v.unit.empty() ? "" : " " + v.unit;
+  if (!v.spin_up) return fmt::format("{:.4g} to {:.4g}{}", v.low, v.high, unit);
+  const std::string slope =
+      v.spin_up->slope ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
+                                     v.spin_up->time_unit.empty() ? "unit of time" : v.spin_up->time_unit)
+                       : "";
+  return fmt::format("{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}", v.spin_up->points,
+                     plural(v.spin_up->points), v.low, v.high, unit, v.spin_up->until,
+                     v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
+}
+
+DocumentTable chosen_table(const DesignResult& r) {
+  const DesignCandidate& best = r.front[*r.chosen];
+  DocumentTable table{{"chosen", "value", "could be"}};
+  for (std::size_t k = 0; k < best.settings.size(); ++k)
+    table.rows.push_back({{thing_of(best.settings[k].key), Tone::plain, false, true},
+                          value_cell(best.settings[k].value),
+                          {range_words(r.variables[k])}});
+  return table;
 }
 
 std::string stopped_design_text(const DesignResult& r) {
   const bool checked = r.chosen && r.front[*r.chosen].held_out;
-  std::string text = fmt::format("\nPARTIAL: stopped; what the search had found by then, judged on {}. ",
+  std::string text = fmt::format("PARTIAL: stopped; what the search had found by then, judged on {}. ",
                                  checked ? "starts that it did not see" : "its own starts");
-  if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.\n";
-  return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.\n",
+  if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.";
+  return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.",
                             r.budget - r.trajectories, r.budget);
+}
+
+void add_drawings(Document& document, const DesignResult& r, const std::vector<Plot>& plots, const std::string& caption,
+                  bool wide = true) {
+  if (!plots.empty()) document.add(drawn(plots, design_title(r), caption, wide));
+}
+
+void add_chosen(Document& document, const DesignResult& r) {
+  document.add(Heading{2, "The chosen design", ""});
+  document.add(chosen_table(r));
+  add_drawings(document, r, spin_up_plots(r), "The spin-up: piecewise linear, then constant.");
+  document.add(figure_table(r));
+  if (!r.limited_by.empty()) document.add(Paragraph{fmt::format("What limits it: {}.", fmt::join(r.limited_by, "; "))});
+  if (r.objectives.size() > 1) {
+    document.add(Heading{2, "Trade-offs", ""});
+    add_drawings(document, r, front_plots(r),
+                 "Candidates that no other beats in every objective; bars are 95 % intervals of the vertical axis.");
+    document.add(front_table(r));
+  }
+  if (!r.margins.empty()) {
+    document.add(Heading{2, "How far each may be off", ""});
+    document.add(margin_table(r));
+    add_drawings(document, r, margin_plots(r, 4), "What becomes of it as one number moves and all others stay.", false);
+  }
 }
 
 }  // namespace
 
-std::string design_text(const DesignResult& r, const TextStyle& style) {
-  std::string text =
-      design_verdict_text(r, style) + lines_filled(study_heading(r.study) + uncertain_text(r.study), style);
-  if (!r.proposed.empty()) text += "The study states no [design]; proposed [design]:\n" + r.proposed;
-  if (r.front.empty()) return text;
-  text += r.proposed.empty() ? "" : "\n";
-  text += fmt::format(
-      "{}, * the chosen one:\n",
-      r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
-  text +=
-      table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style) + required_text(r, style);
-  if (!r.limited_by.empty()) {
-    text += "\nWhat limits it:\n";
-    for (const std::string& words : r.limited_by) text += filled("  ", words, style);
-  }
-  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, thing_of), style);
-  if (r.partial) text += lines_filled(stopped_design_text(r), style);
-  if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
-  return text +
-         lines_filled(fmt::format("\n{} candidate{} by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
-                                  plural(r.candidates), design_method_names[static_cast<std::size_t>(r.method)],
-                                  r.trajectories, r.budget, computed_text(r), version_string),
-                      style);
+Document document_of(const DesignResult& r) {
+  const DesignVerdict verdict = design_verdict(r);
+  const Tone tone = r.partial ? Tone::open : r.feasible ? Tone::good : Tone::bad;
+  Document document =
+      document_with(r.study, "", uncertain_text(r.study),
+                    Notice{verdict.words, tone, {{"because", verdict.because}, {"margins", verdict.margins}}});
+  if (!r.proposed.empty()) document.add(Listing{"The study states no [design]; proposed [design]", r.proposed, true});
+  if (r.partial) document.add(Paragraph{stopped_design_text(r), Tone::open});
+  if (r.chosen) add_chosen(document, r);
+  if (std::any_of(r.history.begin(), r.history.end(),
+                  [&](const DesignStep& step) { return step.value != r.history.front().value; }))
+    add_drawings(document, r, history_plots(r), "The best that was known after so many trajectories.");
+  if (!r.best_study.empty()) document.add(Listing{"The chosen design as a study", r.best_study});
+  std::string words =
+      fmt::format("{} candidate{} by {}, all on the same starts {}; {} trajectories of {}.", r.candidates,
+                  plural(r.candidates), design_method_names[static_cast<std::size_t>(r.method)],
+                  starts_words(r.study, drawn_keys(r.study)), r.trajectories, r.budget);
+  if (r.chosen) words += fmt::format(" The front was judged on other starts, seed {}.", r.held_out_seed);
+  if (r.resumed > 0) words += fmt::format(" {} ensembles from an earlier run.", r.resumed);
+  add_origin(document, r.study, words, computed_text(r));
+  return document;
 }
 
 std::string design_json(const DesignResult& r) {

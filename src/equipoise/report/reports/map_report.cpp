@@ -1,4 +1,4 @@
-// Basin slices as text and as JSON.
+// Basin slices as a document and as JSON.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -21,12 +23,8 @@ namespace equipoise {
 namespace {
 
 std::string axis_text(const char* letter, const SliceAxis& a, int every) {
-  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}\n", letter, a.key, a.low, a.high, a.pixels,
+  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}", letter, a.key, a.low, a.high, a.pixels,
                      every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
-}
-
-std::string figure_text(const char* name, const std::optional<Estimate>& f) {
-  return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
 }
 
 // Over which distances the exponent holds, and how it changes among them.
@@ -36,14 +34,34 @@ std::string scales_text(const SliceFigures& f) {
   for (const LocalExponent& e : f.local_exponents)
     values += fmt::format("{}{:.2f}", values.empty() ? "" : ", ", e.value);
   return fmt::format(
-      "The exponent is that of distances from {} to {} pixels; from each distance to its double it is {}.\n",
+      " The exponent is that of distances from {} to {} pixels; from each distance to its double it is {}.",
       f.local_exponents.front().from, f.local_exponents.back().to, values);
+}
+
+// How basins lie in each other.
+DocumentTable figures_table(const SliceFigures& f) {
+  DocumentTable table{{"how basins lie in each other", "", "95 % interval"}};
+  const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
+    if (figure)
+      table.rows.push_back(row_of("tnn", {name, fmt::format("{:.3f}", figure->value),
+                                          fmt::format("{:.3f} to {:.3f}", figure->low, figure->high)}));
+  };
+  row("box dimension of the boundary (1: smooth, 2: it fills the plane)", f.box_dimension);
+  row("uncertainty exponent (near 0: exact starts help little)", f.uncertainty_exponent);
+  row("basin entropy", f.basin_entropy);
+  row("boundary basin entropy (above log 2 = 0.693: fractal)", f.boundary_basin_entropy);
+  if (f.balanced_radius)
+    table.rows.push_back(row_of(
+        "tnn", {"all balanced within, around balanced angles", fmt::format("{:.3f} rad", *f.balanced_radius), ""}));
+  table.caption =
+      "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels." + scales_text(f);
+  return table;
 }
 
 // Where balls start that neither an axis nor a link places.
 std::string starts_text(const BasinSlice& map) {
   if (draws_starts(map))
-    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
+    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.",
                        map.study.sampling.seed);
   std::string text;
   for (int i = 1; i <= map.study.parameters.balls; ++i) {
@@ -55,10 +73,10 @@ std::string starts_text(const BasinSlice& map) {
                           map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
   }
   if (text.empty()) return text;
-  text = fmt::format("All pixels start with {}{}.\n", text, states_angles(map.study) ? "" : ", evenly spread");
+  text = fmt::format("All pixels start with {}{}.", text, states_angles(map.study) ? "" : ", evenly spread");
   const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
   const std::string together = as_stated ? coincident_text(map.study) : "";
-  return together.empty() ? text : text + "Note: " + together + ".\n";
+  return together.empty() ? text : text + "\nNote: " + together + ".";
 }
 
 // Pixels of which shares are told.
@@ -75,62 +93,54 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
   return fmt::format("{:.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
 }
 
-// What shares leave out, and what an earlier run did.
-std::string making_text(const BasinSlice& map) {
-  std::string text;
-  if (map.pixels_left_out > 0)
-    text += fmt::format(
-        fmt::runtime(
-            map.study.parameters.balls_collide()
-                ? "In {} pixels balls would overlap, which is not a start; shares and figures leave them out.\n"
-                : "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them "
-                  "out.\n"),
-        map.pixels_left_out);
-  if (map.pixels_kept > 0)
-    text += fmt::format("{} pixels read from the output, where an earlier run left them.\n", map.pixels_kept);
-  return text;
-}
-
 }  // namespace
 
-std::string map_text(const BasinSlice& map, const TextStyle& style) {
-  const SliceFigures& f = map.figures;
-  const bool physical = map.study.scales.has_value();
-  const std::string answer = filled("answer   ", answer_sentence(map), style) + "\n";
-  std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
+Document document_of(const BasinSlice& map) {
+  const bool physical = map.study.scales.has_value(), any = open_pixels(map) < counted_pixels(map);
+  Document document = document_with(map.study, answer_sentence(map), "");
+  std::string plane = axis_text("x", map.x, map.every) + "\n" + axis_text("y", map.y, map.every);
   for (const AngleLink& link : map.links)
-    text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
-  text = answer + lines_filled(text + starts_text(map), style) + "\n";
-  DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}};
-  for (const OutcomeShare& c : map.codes)
-    table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
-                                         fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
-  const bool any = open_pixels(map) < counted_pixels(map);
-  if (map.complete || any) text += table_text(table, style);
-  const std::string figures =
-      figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
-      figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
-      (f.balanced_radius
-           ? fmt::format("{:<25} {:.3f} rad around balanced angles\n", "all balanced within", *f.balanced_radius)
-           : "");
-  std::string notes = text.ends_with("\n\n") ? "" : "\n";
-  if (!figures.empty())
-    notes += figures + scales_text(f) +
-             "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels. A boundary "
-             "entropy above log 2 = 0.693 indicates a fractal boundary.\n\n";
-  notes += making_text(map);
+    plane += fmt::format("\nphi_{} = phi_{} + {:.10g}", link.ball, link.of, link.offset);
+  if (const std::string starts = starts_text(map); !starts.empty()) plane += "\n" + starts;
+  document.add(Brief{plane, ""});
   if (!map.complete)
-    notes += any ? fmt::format(
-                       "PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel "
-                       "comes to an outcome, the most if all do.\n",
-                       open_pixels(map), counted_pixels(map))
-                 : fmt::format("PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.\n",
-                               map.pixels);
+    document.add(Paragraph{
+        any ? fmt::format("PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel "
+                          "comes to an outcome, the most if all do.",
+                          open_pixels(map), counted_pixels(map))
+            : fmt::format("PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.",
+                          map.pixels),
+        Tone::bad});
+  document.add(Heading{2, "Where starts end", ""});
+  document.add(map_drawing(map));
+  if (map.complete || any) {
+    DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "95 % interval", "pixels", "of the map"},
+                        {},
+                        "Pixels lie on a grid; the interval is that of as many random starts.",
+                        false,
+                        {2}};
+    for (const OutcomeShare& c : map.codes)
+      table.rows.push_back(row_of("ntnnn", {fmt::format("{}", c.id), reader_title(c, physical), interval(c.share),
+                                            fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
+    document.add(std::move(table));
+  }
+  if (DocumentTable figures = figures_table(map.figures); !figures.rows.empty()) document.add(std::move(figures));
+  if (map.pixels_left_out > 0)
+    document.add(Paragraph{fmt::format(
+        fmt::runtime(
+            map.study.parameters.balls_collide()
+                ? "In {} pixels balls would overlap, which is not a start; shares and figures leave them out."
+                : "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them "
+                  "out."),
+        map.pixels_left_out)});
+  std::string words = fmt::format("{} pixels, a start each, followed until it is known where it ends.", map.pixels);
+  if (map.pixels_kept > 0)
+    words += fmt::format(" {} of them read from the output, where an earlier run left them.", map.pixels_kept);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept);
-  notes +=
-      fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
-                  now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
-  return text + lines_filled(notes, style);
+  add_origin(
+      document, map.study, words,
+      computed_text(map) + (now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : ""));
+  return document;
 }
 
 void to_json(Json& json, const SliceAxis& axis) {

@@ -1,5 +1,6 @@
-// Each result as text for the terminal, as one JSON object whose keys docs/reference/commands lists, and as CSV.
-// This room: each result as text, CSV and JSON.
+// Each result as a document for the terminal and for a page, as one JSON object whose keys docs/reference/commands
+// lists, and as CSV.
+// This room: each result as a document, CSV and JSON.
 #pragma once
 
 #include <span>
@@ -33,16 +34,17 @@ std::string branches_json(const BranchesResult& result);
 std::string branches_csv(const BranchesResult& result);
 
 /// The cells with the largest and the smallest share, then one line per cell. CSV: one line per cell and outcome.
-std::string sweep_text(const SweepResult& result, const TextStyle& style = wide_style);
+Document document_of(const SweepResult& result);
 std::string sweep_json(const SweepResult& result);
 std::string sweep_csv(const SweepResult& result);
 
-/// One line per cell.
-std::string capacity_text(const CapacityResult& result, const TextStyle& style = wide_style);
+/// One line per cell, also for those that a stopped run left open.
+Document document_of(const CapacityResult& result);
+DocumentTable capacity_table(const CapacityResult& result);
 std::string capacity_json(const CapacityResult& result);
 std::string capacity_csv(const CapacityResult& result);
 
-std::string map_text(const BasinSlice& map, const TextStyle& style = wide_style);
+Document document_of(const BasinSlice& map);
 std::string map_json(const BasinSlice& map);
 
 /// Shares, differences, changes and a verdict, which is the difference in balanced starts in one sentence.
@@ -52,7 +54,7 @@ std::string verdict(const ComparisonResult& result);
 
 /// The front, the chosen design beside the original study, its margins, what limits it. JSON: figures are in the units
 /// of "units", shares are fractions of one, infinite values are null. CSV: one line per member of the front.
-std::string design_text(const DesignResult& result, const TextStyle& style = wide_style);
+Document document_of(const DesignResult& result);
 std::string design_json(const DesignResult& result);
 std::string design_csv(const DesignResult& result);
 

@@ -1,4 +1,4 @@
-// Sweeps as text, JSON and CSV.
+// Sweeps as a document, JSON and CSV.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -11,6 +11,10 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
@@ -85,7 +89,7 @@ std::string others_text(const Columns& columns) {
   }
   const std::size_t unnamed = columns.others.size() - std::min(columns.others.size(), most_named);
   if (unnamed > 0) text += fmt::format("; {} more", unnamed);
-  return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), plural(columns.others.size()), text);
+  return fmt::format("Others: {} motion{}: {}.", columns.others.size(), plural(columns.others.size()), text);
 }
 
 const SweepOutcome* find(const SweepCell& cell, int id) {
@@ -93,59 +97,107 @@ const SweepOutcome* find(const SweepCell& cell, int id) {
   return at == cell.outcomes.end() ? nullptr : &*at;
 }
 
-// The rarest motions go first where the terminal is narrow, then what all cells have alike.
-DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
-  const bool limits = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return c && kept_share(*c); });
-  DocumentTable table{parameter_titles(r.axes, key_itself)};
-  const auto column = [&](bool there, const std::string& title) {
-    if (there) table.header.push_back(title);
-    return table.header.size() - 1;
+// What the cells have in all.
+struct Totals {
+  explicit Totals(const SweepResult& r) {
+    visit_done(r.cells, [&](std::size_t, const SweepCell& cell) {
+      ++done;
+      starts += cell.starts;
+      least_starts = std::min(least_starts, cell.starts);
+      most_starts = std::max(most_starts, cell.starts);
+      lost += cell.lost();
+      open = open || cell.undecided.count > 0;
+      limits = limits || kept_share(cell);
+    });
+  }
+  std::size_t done = 0;
+  std::uint64_t starts = 0, least_starts = ~std::uint64_t{0}, most_starts = 0, lost = 0;
+  bool open = false, limits = false;
+};
+
+// Only limits on what happens on the way.
+bool shows(const SweepResult& r, const TransientLimit& l) {
+  return r.transients && !l.at_end && r.study.limits.*l.limit;
+}
+
+// If there is little room, what most cells have alike goes first, then the rarest motions.
+DocumentTable cells_table(const SweepResult& r, const Columns& columns, const Totals& totals) {
+  DocumentTable table{parameter_titles(r.axes)};
+  std::vector<std::size_t> ends, motions, alike;
+  const auto column = [&](const std::string& title, std::vector<std::size_t>* spare = nullptr) {
+    if (spare) spare->push_back(table.header.size());
+    table.header.push_back(title);
   };
-  const std::size_t starts = column(true, "starts");
-  column(true, "balanced");
-  column(limits, "keep all limits");
-  const std::size_t motions = table.header.size();
-  for (const SweepColumn& c : columns.shown) column(true, c.title);
-  const std::size_t others = column(!columns.others.empty(), "others");
-  const std::size_t stalled = column(columns.stalled, "stalled");
-  column(true, "undecided");
-  if (columns.stalled) table.spare.push_back(stalled);
-  for (std::size_t k = 0; k < columns.shown.size(); ++k) table.spare.push_back(motions + k);
-  if (!columns.others.empty()) table.spare.push_back(others);
+  column("starts", &alike);
+  column("balanced");
+  if (totals.open) column("bounds", &alike);
+  if (totals.limits) column("keep all limits");
+  for (const SweepColumn& c : columns.shown) column(c.title, &motions);
+  if (!columns.others.empty()) column("others", &motions);
+  if (columns.stalled) column("stalled", &ends);
+  column("undecided");
+  const PageQuantities shown(r.study);
+  for (const TransientLimit& l : transient_limits)
+    if (shows(r, l)) column("above " + shown.text(*(r.study.limits.*l.limit), l.told_in()), &ends);
+  table.spare = ends;
+  table.spare.insert(table.spare.end(), motions.begin(), motions.end());
   table.missed = table.spare.size();
-  table.spare.push_back(starts);
+  table.spare.insert(table.spare.end(), alike.rbegin(), alike.rend());
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     std::vector<DocumentCell> row = parameter_values(r.axes, index);
-    const auto put = [&](bool there, const std::string& text) {
-      if (there) row.push_back(number_cell(text));
-    };
+    const auto put = [&](const std::string& text) { row.push_back(number_cell(text)); };
     const auto share_of = [&](const SweepColumn& c) {
       const SweepOutcome* o = find(cell, c.id);
       return o ? o->share.share : 0.0;
     };
-    put(true, fmt::format("{}", cell.starts));
-    put(true, share_with_interval(cell.outcomes.front().share));
-    put(limits, kept_share(cell) ? share_with_interval(*kept_share(cell)) : "-");
-    for (const SweepColumn& c : columns.shown) put(true, find(cell, c.id) ? percent(share_of(c), 2) : "-");
+    const Share& balanced = cell.outcomes.front().share;
+    put(fmt::format("{}", cell.starts));
+    put(share_with_interval(balanced));
+    if (totals.open) put(bounds_text(balanced));
+    if (totals.limits) put(kept_share(cell) ? share_with_interval(*kept_share(cell)) : "-");
+    for (const SweepColumn& c : columns.shown) put(find(cell, c.id) ? percent(share_of(c), 2) : "-");
     double rest = 0.0;
     for (const SweepColumn& c : columns.others) rest += share_of(c);
-    put(!columns.others.empty(), rest > 0.0 ? percent(rest, 2) : "-");
-    put(columns.stalled, cell.stalled ? percent(cell.stalled->share, 2) : "-");
-    put(true, percent(cell.undecided.share, 2));
+    if (!columns.others.empty()) put(rest > 0.0 ? percent(rest, 2) : "-");
+    if (columns.stalled) put(cell.stalled ? percent(cell.stalled->share, 2) : "-");
+    put(percent(cell.undecided.share, 2));
+    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+      if (!shows(r, transient_limits[k])) continue;
+      const auto& exceeded = cell.transients->exceeded[k];
+      row.push_back(exceeded ? share_cell(*exceeded) : number_cell("-"));
+    }
     table.rows.push_back(std::move(row));
   });
+  table.caption = "Behind ± or in brackets: 95 % intervals.";
+  if (totals.open)
+    table.caption += " Intervals hold only if the undecided starts end elsewhere; bounds hold however they end.";
   return table;
 }
 
-// Lost starts, and the cells' notes.
-std::string what_else(const SweepResult& r) {
-  std::string text;
-  std::uint64_t lost = 0;
+// A note that many cells share appears once.
+void add_notes(Document& document, const SweepResult& r) {
+  struct Note {
+    std::string text, at;
+    std::size_t cells;
+  };
+  std::vector<Note> notes;
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
-    lost += cell.lost();
-    if (!cell.note.empty()) text += fmt::format("Note at {}: {}.\n", cell_title(r.axes, index), cell.note);
+    if (cell.note.empty()) return;
+    const auto same = std::find_if(notes.begin(), notes.end(), [&](const Note& n) { return n.text == cell.note; });
+    if (same == notes.end())
+      notes.push_back({cell.note, cell_title(r.axes, index), 1});
+    else
+      ++same->cells;
   });
-  return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
+  constexpr std::size_t most = 4;
+  for (std::size_t k = 0; k < std::min(notes.size(), most); ++k) {
+    const Note& note = notes[k];
+    const std::string more =
+        note.cells > 1 ? fmt::format(" and {} more cell{}", note.cells - 1, plural(note.cells - 1)) : "";
+    document.add(Paragraph{fmt::format("Note at {}{}: {}.", note.at, more, note.text), Tone::open});
+  }
+  if (notes.size() > most)
+    document.add(Paragraph{fmt::format("{} more notes of single cells are in --json.", notes.size() - most)});
 }
 
 Json transients_json(const TransientGroup& group) {
@@ -187,23 +239,43 @@ Json cell_json(const SweepResult& r, std::size_t index, const SweepCell& cell) {
 
 }  // namespace
 
-std::string sweep_text(const SweepResult& r, const TextStyle& style) {
+Document document_of(const SweepResult& r) {
   const Columns columns(r);
-  std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
-  text += lines_filled(study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)), style);
-  text += table_text(cells_table(r, columns), style) + "\n";
-  std::string notes = "Behind ± or in brackets: 95 % intervals.\n" + others_text(columns) + what_else(r);
-  std::size_t done = 0;
-  std::uint64_t starts = 0;
-  visit_done(r.cells, [&](std::size_t, const SweepCell& cell) { ++done, starts += cell.starts; });
-  if (done < r.cells.size())
-    notes += fmt::format("PARTIAL: {} of {} cells; the rest is missing.\n", done, r.cells.size());
-  notes += fmt::format("{} cell{}, {} starts, seed {}, the same starts in every cell", done, plural(done), starts,
-                       r.study.sampling.seed);
+  const Totals totals(r);
+  Document document = document_with(r.study, answer_sentence(r), uncertain_text(r.study, keys_of(r.axes)));
+  if (totals.done < r.cells.size())
+    document.add(Paragraph{fmt::format("PARTIAL: {} of {} cells; the rest is missing.", totals.done, r.cells.size()),
+                           Tone::bad});
+  if (totals.done > 0) {
+    document.add(Heading{2, "Where starts end", ""});
+    document.add(sweep_drawing(r));
+    if (const auto peaks = peak_plot(r))
+      document.add(DrawingRow{{{"Peak displacement on the way", plot_svg(*peaks, "Peaks along the parameter"), "", ""}},
+                              "With 95 % intervals.",
+                              false,
+                              true});
+    document.add(cells_table(r, columns, totals));
+  }
+  if (const std::string others = others_text(columns); !others.empty()) document.add(Paragraph{others});
+  if (totals.lost > 0) document.add(Paragraph{fmt::format("{} starts diverged or failed.", totals.lost), Tone::open});
+  add_notes(document, r);
+  std::string words = fmt::format("Varied: {}.", varied_words(r.axes));
+  if (totals.done > 0) {
+    const std::string each = totals.least_starts == totals.most_starts
+                                 ? fmt::format("{} starts", totals.most_starts)
+                                 : fmt::format("{} to {} starts", totals.least_starts, totals.most_starts);
+    words += fmt::format(
+        " {} cell{} with {} each ({} in all) {}, the same in every cell, each followed until it is known where it "
+        "ends.",
+        totals.done, plural(totals.done), each, totals.starts,
+        starts_words(r.study, drawn_keys(r.study, keys_of(r.axes))));
+  }
+  if (r.half_width > 0.0)
+    words += fmt::format(" Sampled until every share was known to +- {:.3g} %.", 100.0 * r.half_width);
   if (r.resumed_cells > 0)
-    notes += fmt::format("; {} cell{} from an earlier run", r.resumed_cells, plural(r.resumed_cells));
-  if (r.seconds > 0.0) notes += "; " + computed_text(r);
-  return text + lines_filled(notes + fmt::format("; equipoise {}\n", version_string), style);
+    words += fmt::format(" {} cell{} from an earlier run.", r.resumed_cells, plural(r.resumed_cells));
+  add_origin(document, r.study, words, r.seconds > 0.0 ? computed_text(r) : "");
+  return document;
 }
 
 std::string sweep_json(const SweepResult& r) {

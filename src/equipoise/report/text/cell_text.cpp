@@ -5,18 +5,19 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/csv.hpp"
 
 namespace equipoise {
 
 std::string column_title(const std::string& key, const std::string& unit) {
-  return unit.empty() ? key : fmt::format("{}, {}", key, unit);
+  return unit.empty() ? key_words(key) : fmt::format("{}, {}", key_words(key), unit);
 }
 
-std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words) {
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes) {
   std::vector<std::string> titles;
   visit_parameters(axes, 0,
-                   [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(words(p.key), p.unit)); });
+                   [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(p.key, p.unit)); });
   return titles;
 }
 

@@ -11,13 +11,10 @@
 
 namespace equipoise {
 
-/// "rotor.unbalance, g mm": the title of a column.
+/// "unbalance, g mm": the title of a key's column.
 std::string column_title(const std::string& key, const std::string& unit);
-/// The columns of all parameters: titles, and values in a cell. What a key is called there: itself, or words
-/// (report/answers/quantities.hpp).
-using KeyWords = std::string (*)(const std::string& key);
-inline std::string key_itself(const std::string& key) { return key; }
-std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words);
+/// The columns of all parameters: titles in words, and values in a cell.
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes);
 std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 
 /// The same in CSV, each with a comma behind it.

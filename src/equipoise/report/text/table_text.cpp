@@ -95,6 +95,54 @@ std::string table_text(const DocumentTable& table, const TextStyle& style) {
   return table.caption.empty() ? text : text + filled("", table.caption, style);
 }
 
+namespace {
+
+// A block as text; empty if only pages show it.
+struct TextWriter {
+  const TextStyle& style;
+
+  std::string operator()(const Heading&) const { return ""; }
+  std::string operator()(const DrawingRow&) const { return ""; }
+  std::string operator()(const Paragraph& p) const {
+    return in_tone(filled(p.lead ? "answer   " : "", p.text, style), p.tone, style);
+  }
+  std::string operator()(const Notice& n) const {
+    std::string text = in_tone(filled("verdict  ", n.text, style), n.tone, style);
+    for (const auto& [word, line] : n.lines)
+      if (!line.empty()) text += filled(fmt::format("{:<9}", word), line, style);
+    return text;
+  }
+  std::string operator()(const ItemList& list) const {
+    std::string text;
+    for (const std::string& item : list.items) text += filled("  ", item, style);
+    return text;
+  }
+  std::string operator()(const DocumentTable& table) const {
+    return table.rows.empty() ? "" : table_text(table, style);
+  }
+  std::string operator()(const Listing& listing) const {
+    return listing.open ? filled("", listing.caption + ":", style) + listing.text : "";
+  }
+  std::string operator()(const Brief& brief) const { return lines_filled(brief.lines, style); }
+};
+
+}  // namespace
+
+std::string document_text(const Document& document, const TextStyle& style) {
+  std::string text;
+  bool in_group = false;
+  for (const Block& block : document.blocks) {
+    std::string shown = std::visit(TextWriter{style}, block);
+    if (shown.empty()) continue;
+    const auto* paragraph = std::get_if<Paragraph>(&block);
+    const bool sentence = paragraph && !paragraph->lead;
+    if (!text.empty() && !(sentence && in_group)) text += "\n";
+    in_group = sentence;
+    text += shown;
+  }
+  return text;
+}
+
 std::string blocks_text(std::span<const Block> blocks, const TextStyle& style) {
   std::string text;
   for (const Block& block : blocks) {

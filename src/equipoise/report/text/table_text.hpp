@@ -34,6 +34,10 @@ std::string table_text(const DocumentTable& table, const TextStyle& style = wide
 /// spaces. A longer word has a line of its own. Ends with a new line.
 std::string filled(std::string_view label, std::string_view text, const TextStyle& style = wide_style);
 
+/// A result for the terminal: its verdict, answer, tables and sentences, without headings and drawings. Sentences that
+/// follow one another form one group; an empty line separates it from other blocks.
+std::string document_text(const Document& document, const TextStyle& style = wide_style);
+
 /// Tables and paragraphs one below the other, and an empty line.
 std::string blocks_text(std::span<const Block> blocks, const TextStyle& style = wide_style);
 
