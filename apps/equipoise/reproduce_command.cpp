@@ -15,6 +15,7 @@
 #include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -134,7 +135,7 @@ int run_reproduce(ReproduceArguments& a) {
   r.command = command_line(a);
   if (!r.partial) write_reproduction(r, a.report, a.explorer, folder);
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
-  put(a.json ? reproduction_json(r) : reproduction_text(r, text_style()));
+  put(a.json ? reproduction_json(r) : document_text(reproduction_document(r), text_style()));
   std::optional<WorkLeft> left = progress.left();
   if (left && left->total > 0) left->what = "starts";
   return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;

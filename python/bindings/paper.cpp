@@ -8,6 +8,7 @@
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/paper.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise::python {
 
@@ -52,7 +53,8 @@ void bind_paper(py::module_& module) {
   module.def("paper_studies", &study_names);
   module.def("paper_study", &paper_study);
   module.def("reproducible", &reproducible);
-  bind_kept<Reproduction>(module, "Reproduction", &reproduction_text, &reproduction_json)
+  const auto text = [](const Reproduction& r) { return document_text(reproduction_document(r), wide_style); };
+  bind_kept<Reproduction>(module, "Reproduction", text, &reproduction_json)
       .def("page", [](const Kept<Reproduction>& kept, const std::string& explorer) {
         return document_html(reproduction_document(kept.result, explorer));
       });

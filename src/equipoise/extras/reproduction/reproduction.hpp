@@ -14,7 +14,6 @@
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/machine/drives/speed.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 
@@ -127,8 +126,6 @@ struct Reproduction {
   bool differs() const;
 };
 
-/// Tables for the terminal.
-std::string reproduction_text(const Reproduction& r, const TextStyle& style = wide_style);
 /// One JSON object; docs/reference/commands/reproduce.md lists the keys.
 std::string reproduction_json(const Reproduction& r);
 

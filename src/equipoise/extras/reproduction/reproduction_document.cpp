@@ -119,14 +119,13 @@ void verdicts(const Reproduction& r, Document& d) {
       "last printed digit; what differs at first is sampled five times as far, and the larger sample decides. The last "
       "two columns: judged cells with a p value below 0.01 each, and how many chance gives.";
   if (r.tables.empty()) return;
-  d.blocks.push_back(Heading{2, "Verdict", "verdict"});
-  d.blocks.push_back(
-      Paragraph{fmt::format("{} of {} judged cells agree with the printed ones, {} differ{}. {} cells "
-                            "are not comparable, with the reason beside each.{}",
-                            all.agreeing, all.agreeing + all.differing, all.differing, all.differing == 1 ? "s" : "",
-                            all.not_comparable, r.partial ? " PARTIAL: the run was stopped before all was done." : ""),
-                all.differing > 0 ? Tone::bad : Tone::good});
-  d.blocks.push_back(std::move(table));
+  d.add(Heading{2, "Verdict", "verdict"});
+  d.add(Paragraph{fmt::format("{} of {} judged cells agree with the printed ones, {} differ{}. {} cells "
+                              "are not comparable, with the reason beside each.",
+                              all.agreeing, all.agreeing + all.differing, all.differing, all.differing == 1 ? "s" : "",
+                              all.not_comparable),
+                  all.differing > 0 ? Tone::bad : Tone::good});
+  d.add(std::move(table));
 }
 
 std::string fate_of(const ConclusionRow& row) {
@@ -156,19 +155,19 @@ void laws(const Reproduction& r, Document& d) {
       "pairs the smallest and the largest difference. \"Holds\": every interval lies on the stated side of zero (for "
       "\"does not matter\": within one point of zero); \"reversed\": every interval lies on the other side; \"does not "
       "hold\": at least one does; \"not shown\": none does, but some intervals hold zero.";
-  d.blocks.push_back(Heading{2, "What rests on ψ = t Ω(t)", "laws"});
-  d.blocks.push_back(
+  d.add(Heading{2, "What rests on ψ = t Ω(t)", "laws"});
+  d.add(
       Paragraph{"The paper's tables 3 to 6 follow the rotation angle ψ = t Ω(t) literally. A rotor that turns so has "
                 "the speed ψ' = Ω + t Ω' during a ramp: twice the ramp's slope, up to nearly twice the final speed, "
                 "and a jump back when the ramp ends. That is the published law. A rotor that really has the speed "
                 "Ω(t), ψ' = Ω(t), follows the kinematic law. At constant speed the two are one."});
-  d.blocks.push_back(std::move(table));
+  d.add(std::move(table));
 }
 
 // The section on table 7: what a fit gives, and how little that proves.
 void table_7_evidence(const Reproduction& r, Document& d) {
-  d.blocks.push_back(Heading{3, "Table 7: the best lead, and why it is none", "table-7-evidence"});
-  d.blocks.push_back(
+  d.add(Heading{3, "Table 7: the best lead, and why it is none", "table-7-evidence"});
+  d.add(
       Paragraph{"The printed shares look like those of starts observed for too short a time. So 96 protocols (laws of "
                 "rise and fall, times of release) and 30 departures from the paper's numbers were tried, each with a "
                 "test at a finite time whose time and tolerance were fitted to the four shares. Many fit; none with "
@@ -183,7 +182,7 @@ void table_7_evidence(const Reproduction& r, Document& d) {
         "Best lead: kinematic law, balls released when the ramp reaches 2.2, balanced if r < 0.00134 from t = 630 to "
         "730; computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.",
         r.table_7_lead.front().balanced.total);
-    d.blocks.push_back(std::move(table));
+    d.add(std::move(table));
   }
   DocumentTable table{
       {"protocol", "balanced if", "shares, %", "starts a row", "χ²", "free cells"}, {}, "", true, {3, 5}};
@@ -192,26 +191,26 @@ void table_7_evidence(const Reproduction& r, Document& d) {
   table.caption =
       "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors. A "
       "true reading stays below 6.0 in 95 % of cases (two free cells); choosing among protocols adds freedom";
-  d.blocks.push_back(std::move(table));
+  d.add(std::move(table));
 }
 
 void table_section(const Reproduction& r, const ReproducedTable& t, Document& d) {
-  d.blocks.push_back(
-      Heading{2, fmt::format("Table {}", t.published->number), fmt::format("table-{}", t.published->number)});
+  d.add(Heading{2, fmt::format("Table {}", t.published->number), fmt::format("table-{}", t.published->number)});
   std::string opening = fmt::format("{}. Shares in percent of starts with random ball angles.", t.published->title);
   opening.front() = static_cast<char>(std::toupper(opening.front()));
-  d.blocks.push_back(Paragraph{opening});
+  d.add(Paragraph{opening});
   if (!t.published->unclaimed.empty())
-    d.blocks.push_back(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
+    d.add(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto plot = table_plot(t))
-    d.blocks.push_back(pictured(
-        {*plot}, fmt::format("Balanced share of table {}. Circles: printed; intervals: 95 %.", t.published->number)));
+    d.add(pictured({*plot},
+                   fmt::format("Balanced share of table {}. Circles: printed; intervals: 95 %.", t.published->number)));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
     table.header.insert(table.header.end(), {"kinematic", "kinematic − published (99 %)"});
     table.spare.push_back(8);
   }
+  table.missed = table.spare.size();
   for (const ReproducedRow& row : t.rows) {
     bool first = true;
     for (const ReproducedCell& c : row.cells) {
@@ -236,32 +235,31 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
       table.caption += fmt::format(" {} is not comparable: {}.", row.published->label, reason);
   for (const ReproducedRow& row : t.rows)
     if (!row.follow_up.empty()) table.caption += fmt::format(" {}.", row.follow_up);
-  d.blocks.push_back(std::move(table));
+  d.add(std::move(table));
   if (t.published->number == 7) table_7_evidence(r, d);
 }
 
 void open_questions(const Reproduction& r, Document& d) {
   if (!r.open) return;
-  d.blocks.push_back(Heading{2, "Open questions of the paper", "future"});
-  d.blocks.push_back(
+  d.add(Heading{2, "Open questions of the paper", "future"});
+  d.add(
       Paragraph{"Three studies that the paper leaves to others. Base: Ω = 2.4, μ = 0.05, λ = 0.01, ζ = 0.5, β = 0.05, "
                 "constant speed, balls free, all at rest in the rotating frame. A pixel is one start of one rotor."});
   const auto map = [&](const BasinSlice& m, const std::string& id, const std::string& title) {
-    d.blocks.push_back(Heading{3, title, id});
+    d.add(Heading{3, title, id});
     DrawingRow row = map_drawing(m);
     row.caption = fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m));
-    d.blocks.push_back(std::move(row));
-    if (std::string said = balanced_text(m); !said.empty()) d.blocks.push_back(Paragraph{std::move(said)});
+    d.add(std::move(row));
+    if (std::string said = balanced_text(m); !said.empty()) d.add(Paragraph{std::move(said)});
   };
   map(r.open->eccentricity_and_angle, "future-eccentricity-angle", "Basins in the plane (λ, φ1), φ2 = φ1 + π");
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", "The parameter plane (λ, μ), φ = (−π/2, π/2)");
-  d.blocks.push_back(Heading{3, "Basins in the whole eight-dimensional state space", "future-box"});
-  d.blocks.push_back(
+  d.add(Heading{3, "Basins in the whole eight-dimensional state space", "future-box"});
+  d.add(
       Paragraph{"Shares of starts uniform in the box |x|, |y| ≤ 0.2, |x'|, |y'| ≤ 0.5, |φ_i'| ≤ 2.4, any φ_i, beside "
                 "those of starts at rest. The box takes in every motion that starts at rest come to; the shares depend "
                 "on it, since the whole space has no uniform distribution."});
-  d.blocks.push_back(
-      pictured({plot_of_box(*r.open)}, "Balanced share of starts in the box and at rest; intervals: 95 %."));
+  d.add(pictured({plot_of_box(*r.open)}, "Balanced share of starts in the box and at rest; intervals: 95 %."));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -274,16 +272,16 @@ void open_questions(const Reproduction& r, Document& d) {
   if (!r.open->boxes.empty())
     table.caption = fmt::format("{} starts a sample; undecided: {}.", r.open->boxes.front().box.starts,
                                 interval(r.open->boxes.front().box.undecided));
-  d.blocks.push_back(std::move(table));
+  d.add(std::move(table));
 }
 
 void figures(const Reproduction& r, Document& d) {
   if (r.figures.empty()) return;
-  d.blocks.push_back(Heading{2, "Figures", "figures"});
+  d.add(Heading{2, "Figures", "figures"});
   for (const PaperFigure& f : r.figures) {
-    d.blocks.push_back(Heading{3, f.title, f.id});
-    if (!f.choice.empty()) d.blocks.push_back(Paragraph{f.choice, Tone::open});
-    d.blocks.push_back(pictured(figure_plots(f), f.caption));
+    d.add(Heading{3, f.title, f.id});
+    if (!f.choice.empty()) d.add(Paragraph{f.choice, Tone::open});
+    d.add(pictured(figure_plots(f), f.caption));
   }
 }
 
@@ -303,14 +301,14 @@ std::vector<DocumentCell> ensemble_row(const ReproducedRow& row, const EnsembleR
 }
 
 void settings(const Reproduction& r, const std::string& explorer, Document& d) {
-  d.blocks.push_back(Heading{2, "Settings", "settings"});
-  d.blocks.push_back(Paragraph{fmt::format("Made by: {}", r.command)});
-  d.blocks.push_back(Paragraph{
+  d.add(Heading{2, "Settings", "settings"});
+  d.add(Paragraph{fmt::format("Made by: {}", r.command)});
+  d.add(Paragraph{
       fmt::format("equipoise {}, {} thread{}, {}. {} ensembles, {} starts: {:.0f} s, {:.0f} s of CPU time. The run "
                   "that wrote this page, without the ensembles it found stored: {:.0f} s, {:.0f} s of CPU time.",
                   version_string, r.threads, plural(r.threads), r.cpu_target, r.ensembles, r.starts, r.seconds,
                   r.cpu_seconds, r.run_seconds, r.run_cpu_seconds)});
-  d.blocks.push_back(Paragraph{
+  d.add(Paragraph{
       "Two equal balls, μ = 0.05 each, λ = 0.01, ζ = 0.5, β = 0.05 unless said; starts at rest in the rotating frame "
       "with ball angles uniform on [0, 2π). \"Balanced\" means that a start entered a level set of a Lyapunov function "
       "around a stable balanced state; a start that comes to no attractor by the horizon is undecided. All lengths are "
@@ -324,18 +322,21 @@ void settings(const Reproduction& r, const std::string& explorer, Document& d) {
       row.for_each_law([&](const EnsembleResult& e, model::SpeedLaw law) {
         table.rows.push_back(ensemble_row(row, e, t.published->ramps, name_of(law), explorer));
       });
-  if (!table.rows.empty()) d.blocks.push_back(std::move(table));
-  d.blocks.push_back(
-      Paragraph{fmt::format("Printed numbers: {}. Only the numbers are taken over.", published_citation)});
+  if (!table.rows.empty()) d.add(std::move(table));
+  ItemList pictures;
+  for (const Picture& p : r.pictures) pictures.items.push_back(fmt::format("{}: {}", p.title, p.path));
+  if (!pictures.items.empty()) d.add(std::move(pictures));
+  d.add(Paragraph{fmt::format("Printed numbers: {}. Only the numbers are taken over.", published_citation)});
 }
 
 }  // namespace
 
 Document reproduction_document(const Reproduction& r, const std::string& explorer) {
   Document d{"Wright and Peng (2019), computed again", {}};
-  d.blocks.push_back(
+  d.add(
       Paragraph{"With what probability does an automatic ball balancer balance its rotor? Every number and figure of "
                 "the paper that asked this of a rotor whose speed varies, set beside the same computed by Equipoise."});
+  if (r.partial) d.add(Paragraph{"PARTIAL: stopped before all was done.", Tone::open});
   verdicts(r, d);
   laws(r, d);
   for (const ReproducedTable& t : r.tables) table_section(r, t, d);

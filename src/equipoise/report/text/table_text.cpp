@@ -100,8 +100,9 @@ namespace {
 // A block as text; empty if only pages show it.
 struct TextWriter {
   const TextStyle& style;
+  bool headings;
 
-  std::string operator()(const Heading&) const { return ""; }
+  std::string operator()(const Heading& h) const { return headings ? bold(h.text, style) + "\n" : ""; }
   std::string operator()(const DrawingRow&) const { return ""; }
   std::string operator()(const Paragraph& p) const {
     return in_tone(filled(p.lead ? "answer   " : "", p.text, style), p.tone, style);
@@ -118,26 +119,51 @@ struct TextWriter {
     return text;
   }
   std::string operator()(const DocumentTable& table) const {
-    return table.rows.empty() ? "" : table_text(table, style);
+    if (table.rows.empty() || (table.folded && !style.details)) return "";
+    const std::string text = table_text(table, style);
+    return fits(text) ? text : as_list(table);
   }
   std::string operator()(const Listing& listing) const {
     return listing.open ? filled("", listing.caption + ":", style) + listing.text : "";
   }
   std::string operator()(const Brief& brief) const { return lines_filled(brief.lines, style); }
+
+ private:
+  bool fits(std::string_view text) const {
+    std::size_t widest = 0;
+    while (style.width > 0 && !text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+      widest = std::max(widest, display_width(text.substr(0, end)));
+      text.remove_prefix(end + 1);
+    }
+    return widest <= style.width;
+  }
+
+  // For cells of long sentences: a row's first cell, and below it the others, each after its title.
+  std::string as_list(const DocumentTable& table) const {
+    std::string text;
+    for (const auto& row : table.rows) {
+      text += filled("", row.front().text, style);
+      for (std::size_t k = 1; k < row.size(); ++k)
+        if (!row[k].text.empty()) text += filled("  " + table.header[k] + ": ", row[k].text, style);
+    }
+    return table.caption.empty() ? text : text + filled("", table.caption, style);
+  }
 };
 
 }  // namespace
 
 std::string document_text(const Document& document, const TextStyle& style) {
   std::string text;
-  bool in_group = false;
+  bool in_group = false, below_heading = false;
   for (const Block& block : document.blocks) {
-    std::string shown = std::visit(TextWriter{style}, block);
+    const std::string shown = std::visit(TextWriter{style, !document.sheet}, block);
     if (shown.empty()) continue;
     const auto* paragraph = std::get_if<Paragraph>(&block);
     const bool sentence = paragraph && !paragraph->lead;
-    if (!text.empty() && !(sentence && in_group)) text += "\n";
+    if (!text.empty() && !below_heading && !(sentence && in_group)) text += "\n";
     in_group = sentence;
+    below_heading = std::holds_alternative<Heading>(block);
     text += shown;
   }
   return text;

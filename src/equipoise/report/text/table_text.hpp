@@ -34,8 +34,9 @@ std::string table_text(const DocumentTable& table, const TextStyle& style = wide
 /// spaces. A longer word has a line of its own. Ends with a new line.
 std::string filled(std::string_view label, std::string_view text, const TextStyle& style = wide_style);
 
-/// A result for the terminal: its verdict, answer, tables and sentences, without headings and drawings. Sentences that
-/// follow one another form one group; an empty line separates it from other blocks.
+/// A result for the terminal: its verdict, answer, tables and sentences, without drawings, and without headings if it
+/// is a sheet. Sentences that follow one another form one group; an empty line separates it from other blocks. A table
+/// that is too wide becomes a list, and a folded one is left out unless the style has details.
 std::string document_text(const Document& document, const TextStyle& style = wide_style);
 
 /// Tables and paragraphs one below the other, and an empty line.
