@@ -1,10 +1,11 @@
 // Reads LOW:HIGH, WIDTHxHEIGHT and phi_2=phi_1+pi.
 #include "equipoise/analyses/basin_slices/slice_axis.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <regex>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,19 +20,40 @@ namespace equipoise {
 
 namespace {
 
+// The number without a sign at the front of `text`, which loses it; 1 if there is none.
+std::optional<double> leading_number(std::string_view& text) {
+  const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789."));
+  text.remove_prefix(digits.size());
+  return digits.empty() ? 1.0 : number_of_all(digits);
+}
+
 // "2pi", "-pi/2", "0.5*pi".
-std::optional<double> part_of_pi(const std::string& text) {
-  static const std::regex form(R"(([+-]?)(\d+(?:\.\d*)?|\.\d+)?\*?pi(?:/(\d+(?:\.\d*)?))?)");
-  std::smatch m;
-  if (!std::regex_match(text, m, form)) return std::nullopt;
-  const auto number = [](const std::string& digits) { return digits.empty() ? 1.0 : number_in(digits); };
-  return (m[1] == "-" ? -1.0 : 1.0) * number(m[2].str()) * pi / number(m[3].str());
+std::optional<double> part_of_pi(std::string_view text) {
+  const double sign = text.starts_with('-') ? -1.0 : 1.0;
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::optional<double> factor = leading_number(text);
+  if (text.starts_with('*')) text.remove_prefix(1);
+  if (!factor || !text.starts_with("pi")) return std::nullopt;
+  text.remove_prefix(2);
+  if (text.empty()) return sign * *factor * pi;
+  if (text.front() != '/' || text.size() == 1) return std::nullopt;
+  text.remove_prefix(1);
+  const std::optional<double> divisor = leading_number(text);
+  return divisor && text.empty() ? std::optional(sign * *factor * pi / *divisor) : std::nullopt;
 }
 
 // "100 g mm": a number, and letters after it.
-bool is_quantity(const std::string& text) {
-  static const std::regex form(R"(\s*[+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%].*)");
-  return std::regex_match(text, form);
+bool is_quantity(std::string_view text) {
+  const auto skip = [&](const char* these) {
+    const std::size_t end = std::min(text.find_first_not_of(these), text.size());
+    text.remove_prefix(end);
+    return end;
+  };
+  skip(" \t");
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  if (skip("0123456789.") == 0) return false;
+  skip(" \t");
+  return !text.empty() && (text[0] == '%' || std::isalpha(static_cast<unsigned char>(text[0])));
 }
 
 }  // namespace
@@ -106,20 +128,33 @@ InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis&
 }
 
 AngleLink angle_link(const std::string& text, const std::string& option) {
-  static const std::regex form(R"((?:initial\.)?phi_(\d)=(?:initial\.)?phi_(\d)([+-].+)?)");
   const auto reject = [&] {
     throw InputError(option, "", display_text(text), "must be phi_I=phi_J or phi_I=phi_J+ANGLE, e.g. phi_2=phi_1+pi");
   };
-  std::smatch m;
-  if (!std::regex_match(text, m, form)) reject();
-  AngleLink link{std::stoi(m[1].str()), std::stoi(m[2].str()), 0.0};
-  const std::string offset = m[3].str();
+  std::string_view offset = text;
+  const auto take = [&](std::string_view word) {
+    const bool there = offset.starts_with(word);
+    if (there) offset.remove_prefix(word.size());
+    return there;
+  };
+  const auto ball = [&] {
+    take("initial.");
+    if (!take("phi_") || offset.empty() || offset[0] < '0' || offset[0] > '9') reject();
+    const int number = offset[0] - '0';
+    offset.remove_prefix(1);
+    return number;
+  };
+  AngleLink link;
+  link.ball = ball();
+  if (!take("=")) reject();
+  link.of = ball();
   if (offset.empty()) return link;
+  if ((offset[0] != '+' && offset[0] != '-') || offset.size() == 1) reject();
   if (const auto angle = part_of_pi(offset)) {
     link.offset = *angle;
     return link;
   }
-  const auto number = number_of_all(std::string_view(offset).substr(offset.front() == '+' ? 1 : 0));
+  const auto number = number_of_all(offset.substr(offset[0] == '+' ? 1 : 0));
   if (!number || !std::isfinite(*number)) reject();
   link.offset = *number;
   return link;

@@ -61,10 +61,12 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   result.stable = sample.attracts() || !rests;
   result.growth_rate = sample.most_growth;
   if (!result.stable && sample.drawn > 0)
-    result.note = fmt::format(
-        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
-        "{:.3g} to {:.3g})",
-        sample.drawn, at.speed, sample.least_growth, sample.most_growth);
+    result.note
+        .add(fmt::format("the balanced states form a continuum, and all {} drawn evenly from it are unstable ",
+                         sample.drawn))
+        .add_speed(at.speed)
+        .add(" ")
+        .add_rates(sample.least_growth, sample.most_growth);
   if (!rests || sample.drawn == 0 || is_set(stop)) return;
   if (auto motion = balanced_motion(at, sample.typical, stop)) result.motions.push_back(*std::move(motion));
 }
@@ -81,9 +83,12 @@ std::string lost_motion(const model::Parameters& p, double reached) {
       100.0 * reached, gravity && unequal ? "both" : "it");
 }
 
-std::string instability(const BalancedAnalysis& result, double speed) {
-  if (result.growth_rate > least_rate) return fmt::format(unstable_balance, speed, result.growth_rate);
-  return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
+Note instability(const BalancedAnalysis& result, double speed) {
+  Note note;
+  note.add("the balanced state exists but is ");
+  if (result.growth_rate > least_rate)
+    return note.add("unstable ").add_speed(speed).add(" ").add_rates(result.growth_rate, result.growth_rate);
+  return note.add("not linearly stable ").add_speed(speed).add(" (largest rate 0)");
 }
 
 void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector<ModeWeight>& known,

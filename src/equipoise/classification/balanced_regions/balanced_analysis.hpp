@@ -10,13 +10,11 @@
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/system.hpp"
+#include "equipoise/results/types/note.hpp"
 #include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 
 namespace equipoise {
-
-/// A note: speed, growth rate.
-inline constexpr char unstable_balance[] = "the balanced state exists but is unstable at speed {} (growth rate {:.3g})";
 
 struct BalancedAnalysis {
   model::BalancedStates states;  ///< as without gravity and with isotropic supports
@@ -33,7 +31,7 @@ struct BalancedAnalysis {
   std::vector<ModeWeight> weights;                         ///< of the modes of the first region
   std::shared_ptr<const ContinuumOfEquilibria> continuum;  ///< null: the states are isolated
   ContinuumSample sample;                                  ///< of the continuum
-  std::string note;  ///< one sentence for the reader if no start can end balanced, else empty
+  Note note;  ///< one sentence for the reader if no start can end balanced, else empty
 };
 
 /// What counts as balanced:

@@ -19,6 +19,7 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/note.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -36,7 +37,7 @@ struct UnlistedStart {
 /// What is known of the balanced state before starts are followed.
 struct BalanceNote {
   bool stable = false;  ///< a linearly stable balanced state exists at the final speed
-  std::string note;     ///< if not, why no start can end balanced
+  Note note;            ///< if not, why no start can end balanced
 };
 
 /// The fates of starts, in order.

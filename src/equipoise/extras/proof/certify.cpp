@@ -72,7 +72,7 @@ void prove_members(const model::System& system, const RunOptions& options, Certi
   }
   result.partial = is_set(options.stop);
   if (!result.partial && !result.members.empty() && result.attracting() == 0)
-    result.note = fmt::format("no member of the continuum that was drawn attracts at speed {}", system.speed());
+    result.note.add("no member of the continuum that was drawn attracts ").add_speed(system.speed());
 }
 
 CertifyResult proofs(const Study& study, const RunOptions& options) {

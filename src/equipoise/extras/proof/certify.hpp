@@ -12,6 +12,7 @@
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/machine/model/parameters.hpp"
 #include "equipoise/report/text/table_text.hpp"
+#include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -71,7 +72,7 @@ struct CertifyResult {
   double speed = 0.0;                ///< final speed of the study
   std::vector<StateProof> states;    ///< one for each stable state that is no copy
   std::vector<MemberProof> members;  ///< of a continuum, drawn evenly; says nothing of other members
-  std::string note;                  ///< why there is no state to prove anything about
+  Note note;                         ///< why there is no state to prove anything about
   bool partial = false;              ///< stopped before every state was tried
   /// Whether there is a stable state and each has a checked proof. For a continuum: whether each member drawn is proved
   /// to attract or not, and some attract.

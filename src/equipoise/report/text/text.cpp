@@ -12,7 +12,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/json.hpp"
@@ -129,16 +128,15 @@ std::string speed_text(const Study& study) {
   return text;
 }
 
-// Writes the number at `from` as `words` has it. Returns where it ends then.
-template <class Words>
-std::size_t rewrite(std::string& text, std::size_t from, const Words& words) {
-  double value = 0.0;
-  const char* begin = text.data() + from;
-  const auto read = read_number(begin, text.data() + text.size(), value);
-  if (read.error != std::errc()) return from;
-  const std::string written = words(value);
-  text.replace(from, static_cast<std::size_t>(read.end - begin), written);
-  return from + written.size();
+// A noted quantity in the units of the study.
+std::string quantity_text(const Study& study, const Note& note, const NotedQuantity& q) {
+  if (q.kind == NotedQuantity::Kind::speed)
+    return study.scales ? "at " + engineering(study.scales, q.least, Dimension::speed)
+                        : fmt::format("at speed {:.4g}", q.least);
+  if (!study.scales) return note.substr(q.begin, q.length);
+  const double scale = study.scales->frequency;
+  return q.least == q.most ? fmt::format("(growth rate {:.3g} 1/s)", q.least * scale)
+                           : fmt::format("(growth rates {:.3g} to {:.3g} 1/s)", q.least * scale, q.most * scale);
 }
 
 }  // namespace
@@ -190,22 +188,14 @@ std::string study_heading(const Study& study) {
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }
 
-std::string note_text(const Study& study, const std::string& note) {
-  constexpr std::string_view speed = "at speed ", growth = "(growth rate";
-  const auto& scales = study.scales;
-  std::string text = note;
-  if (const std::size_t at = text.find(speed); at != text.npos) {
-    rewrite(text, at + speed.size(), [&](double value) {
-      return scales ? engineering(scales, value, study::Dimension::speed) : fmt::format("{:.4g}", value);
-    });
-    if (scales) text.erase(at + 3, speed.size() - 3);
+std::string note_text(const Study& study, const Note& note) {
+  std::string text;
+  std::size_t done = 0;
+  for (const NotedQuantity& q : note.quantities) {
+    text += note.substr(done, q.begin - done) + quantity_text(study, note, q);
+    done = q.begin + q.length;
   }
-  const std::size_t at = text.find(growth);
-  if (!scales || at == text.npos) return text;
-  const auto per_second = [&](double rate) { return fmt::format("{:.3g}", rate * scales->frequency); };
-  std::size_t end = rewrite(text, text.find(' ', at + growth.size()) + 1, per_second);
-  if (text.compare(end, 4, " to ") == 0) end = rewrite(text, end + 4, per_second);
-  return text.insert(end, " 1/s");
+  return text + note.substr(done);
 }
 
 std::optional<model::Carrying> carrying(const Study& study) { return model::carrying(study.parameters, study.drive()); }

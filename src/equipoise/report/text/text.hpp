@@ -8,6 +8,7 @@
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
 #include "equipoise/report/text/engineering.hpp"
+#include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -26,7 +27,7 @@ std::string bounds_text(const Share& s);
 std::string study_heading(const Study& study);
 /// A note about balance (balanced_regions/balanced_analysis.cpp), with its speed and its growth rates in the study's
 /// units, to four digits.
-std::string note_text(const Study& study, const std::string& note);
+std::string note_text(const Study& study, const Note& note);
 
 std::optional<model::Carrying> carrying(const Study& study);
 /// "drag carries hanging balls round from 884 rpm on".

@@ -15,6 +15,7 @@
 #include "equipoise/results/commands/start_arrays.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
 #include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
@@ -59,7 +60,7 @@ struct BasinResult : OtherShares, RunInfo {
   std::optional<SamplingChoice> choice;          ///< if the method was left open
   std::optional<JitteredGrid> grid;              ///< for that method
   bool balanced_stable = false;                  ///< a linearly stable balanced state exists at the final speed
-  std::string note;                              ///< why no start can end balanced, if that is so
+  Note note;                                     ///< why no start can end balanced, if that is so
 
   /// All attractors, and the other outcomes that some start came to (others_met()).
   std::vector<OutcomeShare> outcomes_met() const {
