@@ -17,7 +17,6 @@
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "help.hpp"

@@ -12,7 +12,6 @@
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -49,7 +49,6 @@
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/html/given_keys.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -22,6 +22,8 @@
 namespace equipoise {
 namespace standards_of_starts_test {
 
+std::string standards_text(const BasinResult& r) { return document_text({"", standards_blocks(r)}); }
+
 // Ends in several motions: 1500 rpm is 25 Hz.
 const std::string machine = R"([rotor]
 mass = "4 kg"

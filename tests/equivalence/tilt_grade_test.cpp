@@ -18,7 +18,6 @@
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"

@@ -14,7 +14,6 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"

@@ -14,7 +14,6 @@
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"

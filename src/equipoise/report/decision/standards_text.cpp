@@ -193,7 +193,7 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
   std::vector<std::vector<Block>> groups;
   if (tells_without_balls(r)) {
     std::vector<Block>& group = groups.emplace_back();
-    group.push_back(without_balls_table(r));
+    group.push_back(way_table(r));
     for (const std::string& sentence : without_balls_words(r)) group.push_back(Paragraph{sentence});
   }
   if (!r.transients || r.transients->groups.empty() || r.transients->groups.front().starts == 0) return groups;
@@ -205,11 +205,6 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
   }
   if (std::vector<Block> standards = standards_blocks(r); !standards.empty()) groups.push_back(std::move(standards));
   return groups;
-}
-
-std::string standards_text(const BasinResult& r, const TextStyle& style) {
-  const std::vector<Block> blocks = standards_blocks(r);
-  return blocks.empty() ? "" : blocks_text(blocks, style);
 }
 
 Json standards_json(const BasinResult& r) {

@@ -9,7 +9,6 @@
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 
 namespace equipoise {
@@ -17,13 +16,11 @@ namespace equipoise {
 /// Tables, and a sentence each where one says all: of a study with scales whose result tells of the rotor without
 /// balls; else empty.
 std::vector<Block> standards_blocks(const BasinResult& result);
-/// The same for the terminal, with an empty line at its end.
-std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
-/// In groups: the rotor without balls beside that with them; which limits are kept; what standards make of it. A group
-/// that has nothing to tell is left out.
+/// In groups: the rotor without balls next to that with them; which limits are kept; what standards make of it. A group
+/// that has nothing to report is left out.
 std::vector<std::vector<Block>> balancer_blocks(const BasinResult& result);
 
-/// The object "standards" of basin_json(); null where standards_text() is empty.
+/// The object "standards" of basin_json(); null where standards_blocks() is empty.
 Json standards_json(const BasinResult& result);
 
 /// The verdict's lines, and every change that was tried, in the study's shown units.

@@ -39,6 +39,10 @@ std::string speed_svg(const MachinePage& page);
 /// end".
 std::string run_words(const MachinePage& page, const ShownRun& run);
 
+/// The main picture with its caption; shares, motions and peaks of all starts, side by side.
+DrawingRow run_up_drawing(const MachinePage& page);
+DrawingRow ends_drawing(const MachinePage& page);
+
 /// One outcome of a sweep, stacked on those before it.
 struct SweepLayer {
   std::string name;           ///< after its alias

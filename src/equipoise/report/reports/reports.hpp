@@ -14,6 +14,7 @@
 #include "equipoise/results/commands/capacity_result.hpp"
 #include "equipoise/results/commands/comparison_result.hpp"
 #include "equipoise/results/commands/design_result.hpp"
+#include "equipoise/results/commands/machine_page.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 
@@ -23,6 +24,8 @@ namespace equipoise {
 /// of.
 std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style,
                        std::span<const TriedChange> tried = {});
+/// The page for one machine: the same with drawings, the changes that were tried, the machine and the study in full.
+std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried = {});
 std::string basin_json(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 std::string attractors_text(const AttractorsResult& result, const TextStyle& style = wide_style);

@@ -1,4 +1,4 @@
-// Tables of indices.
+// A table of indices.
 #include "equipoise/report/reports/sensitivity_report.hpp"
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -48,28 +47,27 @@ std::string uncertain_text(const Study& study, const std::vector<std::string>& s
   return text.empty() ? text : text + "\n";
 }
 
-std::string sensitivity_text(const SensitivityResult& r) {
-  std::string text;
+void add_sensitivity(Document& document, const SensitivityResult& r) {
   if (r.inputs.empty()) {
-    text = r.rows == 0 ? "What balance depends on: nothing was followed to the end.\n"
-                       : fmt::format("What balance depends on: nothing; of {} starts {} balanced.\n", 2 * r.rows,
-                                     r.balanced.count == 0 ? "none" : "all");
+    document.add(Paragraph{r.rows == 0 ? "What balance depends on: nothing was followed to the end."
+                                       : fmt::format("What balance depends on: nothing; of {} starts {} balanced.",
+                                                     2 * r.rows, r.balanced.count == 0 ? "none" : "all")});
   } else {
-    DocumentTable table;
-    table.header = {"balance depends on", "first order", "95 % interval", "total", "95 % interval"};
+    DocumentTable table{{"balance depends on", "first order", "95 % interval", "total", "95 % interval"}};
     for (const auto& [key, indices] : r.inputs)
       table.rows.push_back(row_of(
           "tntnt", {key == start_input ? "where the start begins" : key, fmt::format("{:.2f}", indices.first.value),
                     range_text(indices.first), fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
     table.caption =
-        "First order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
-        "known;\ntotal: the part that is left if all else is.";
-    text = table_text(table);
+        "First order: the part of the variance of \"ends balanced\" that goes away on average if this alone is known; "
+        "total: the part that is left if all else is.";
+    document.add(std::move(table));
   }
-  text += fmt::format("{} starts in {} rows, {} of the independent starts balanced ({})", r.evaluations, r.rows,
-                      percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));
-  if (r.undecided > 0) text += fmt::format("; {} undecided ones count as not balanced", r.undecided);
-  return text + (r.partial ? ". PARTIAL: stopped before all rows were done.\n\n" : ".\n\n");
+  document.add(Paragraph{
+      fmt::format("{} starts in {} rows, {} of the independent starts balanced ({}){}.{}", r.evaluations, r.rows,
+                  percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced),
+                  r.undecided > 0 ? fmt::format("; {} undecided ones count as not balanced", r.undecided) : "",
+                  r.partial ? " PARTIAL: stopped before all rows were done." : "")});
 }
 
 void to_json(Json& json, const InputSensitivity& input) {

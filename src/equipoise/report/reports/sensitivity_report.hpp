@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/sensitivity_result.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -14,7 +15,7 @@ namespace equipoise {
 /// what the study states of starts although they draw it. Empty if there are none. Omits keys that are `set` otherwise.
 std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
 
-std::string sensitivity_text(const SensitivityResult& result);
+void add_sensitivity(Document& document, const SensitivityResult& result);
 /// Key, first and total, each value, low and high.
 void to_json(Json& json, const InputSensitivity& input);
 /// Numbers of rows and evaluations, and so on.

@@ -228,21 +228,53 @@ std::string bare_words(const BasinResult& r) {
   return fmt::format("There are no balls: {} runs draw the uncertain values.", bare.runs);
 }
 
-DocumentTable without_balls_table(const BasinResult& r) {
-  const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
-                       &held = r.without_balls->held.figures;
-  DocumentTable table{{"", "no balls", "balls held", "with balls", "90 % below"}};
+DocumentTable way_table(const BasinResult& r) {
+  const TransientGroup& with = r.transients->groups.front();
+  const WithoutBalls* none = tells_without_balls(r) ? &*r.without_balls : nullptr;
+  const Limits& limits = r.study.limits;
+  const auto limit_of = [&](const TransientFigure& f) {
+    return std::find_if(transient_limits.begin(), transient_limits.end(),
+                        [&](const TransientLimit& l) { return l.value == f.value && !l.by_speed && limits.*l.limit; });
+  };
+  const bool limited = std::any_of(transient_figures.begin(), transient_figures.end(),
+                                   [&](const auto& f) { return limit_of(f) != transient_limits.end(); });
+  DocumentTable table{{""}};
+  if (none) table.header = {"", "no balls", "balls held"};
+  table.header.insert(table.header.end(), {"with balls", "90 % below", "99 % below"});
+  const std::size_t numbers = table.header.size();
+  if (limited) table.header.insert(table.header.end(), {"limit", "exceeded by"}), table.spare = {numbers, numbers + 1};
+  table.spare.push_back(numbers - 1);
+  const auto add = [&](const std::string& title, const std::vector<std::string>& figures) {
+    std::vector<DocumentCell>& row = table.rows.emplace_back();
+    row.push_back({title, Tone::plain, false, true});
+    for (const std::string& text : figures) row.push_back(number_cell(text));
+    while (row.size() < table.header.size()) row.push_back(number_cell("-"));
+  };
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    if (!f.of_bare_rotor || !shows(f, r.study) || !r.transients->asks(f, r.study.limits)) continue;
+    if (!(f.of_bare_rotor || f.on_page) || !shows(f, r.study) || !r.transients->asks(f, limits)) continue;
     const Unit unit = unit_of(r.study, f.told_in());
-    table.rows.push_back(row_of("lnnnn", {fmt::format("{}, {}", f.title, unit.name),
-                                          quantile_text(bare, k, 0, unit.size), quantile_text(held, k, 0, unit.size),
-                                          quantile_text(with, k, 0, unit.size), quantile_text(with, k, 1, unit.size)}));
-    const auto& cells = table.rows.back();
-    if (std::all_of(cells.begin() + 1, cells.end(), [](const DocumentCell& c) { return c.text == "0"; }))
-      table.rows.pop_back();
-    if (f.value != &TransientRow::residual_unbalance || !is_graded(r.study)) continue;
+    std::vector<std::string> figures;
+    const auto told = [&](const TransientGroup& group, std::size_t quantile) {
+      figures.push_back(quantile_text(group, k, quantile, unit.size));
+    };
+    if (none)
+      for (const OneBodyRuns* body : {&none->bare, &none->held})
+        if (f.of_bare_rotor)
+          told(body->figures, 0);
+        else
+          figures.emplace_back("-");
+    for (std::size_t quantile = 0; quantile < 3; ++quantile) told(with, quantile);
+    const auto limit = limit_of(f);
+    if (limit != transient_limits.end()) {
+      figures.push_back(fmt::format("{:.4g}", *(limits.*limit->limit) * unit.size));
+      const auto& exceeded = with.exceeded[static_cast<std::size_t>(limit - transient_limits.begin())];
+      figures.push_back(exceeded ? share_with_interval(*exceeded) : "-");
+    } else if (std::all_of(figures.begin(), figures.end(), [](const std::string& text) { return text == "0"; })) {
+      continue;
+    }
+    add(fmt::format("{}, {}", f.title, unit.name), figures);
+    if (!none || f.value != &TransientRow::residual_unbalance || !is_graded(r.study)) continue;
     // A mean speed says nothing where some rotors stall.
     const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
       const std::optional<double> speed = some_stall ? std::nullopt : graded_speed(g, r.study);
@@ -250,16 +282,25 @@ DocumentTable without_balls_table(const BasinResult& r) {
       return fmt::format("{:.4g}", model::balance_grade(g.figures[k].quantiles[quantile].value * r.study.scales->length,
                                                         *speed * r.study.scales->frequency));
     };
-    const OneBodyRuns &none = r.without_balls->bare, &fixed = r.without_balls->held;
     const bool stall = r.stalled && r.stalled->count > 0;
-    table.rows.push_back(
-        row_of("lnnnn", {"e omega of that, mm/s", grade(bare, none.stalled > 0 && !none.one, 0),
-                         grade(held, fixed.stalled > 0, 0), grade(with, stall, 0), grade(with, stall, 1)}));
+    add("e omega of that, mm/s", {grade(none->bare.figures, none->bare.stalled > 0 && !none->bare.one, 0),
+                                  grade(none->held.figures, none->held.stalled > 0, 0), grade(with, stall, 0),
+                                  grade(with, stall, 1), grade(with, stall, 2)});
   }
-  table.caption =
-      fmt::format("No balls: {}. Balls held where they start: median of {}. With balls: median.",
-                  r.without_balls->bare.one ? one_run : fmt::format("median of {} runs", r.without_balls->bare.runs),
-                  r.without_balls->held.runs);
+  if (none)
+    table.caption =
+        fmt::format("No balls: {}. Balls held where they start: median of {}. With balls: median.",
+                    none->bare.one ? one_run : fmt::format("median of {} runs", none->bare.runs), none->held.runs);
+  else
+    table.caption = "With balls: median.";
+  const Unit length = unit_of(r.study, Dimension::length);
+  if (limits.settled)
+    table.caption += fmt::format(" Settled: displacement below {:.4g} {}.", *limits.settled * length.size, length.name);
+  if (const double sag = -model::static_sag(r.study.parameters); sag != 0.0)
+    table.caption += fmt::format(
+        " Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; forces include "
+        "its weight.",
+        sag * length.size, length.name);
   return table;
 }
 

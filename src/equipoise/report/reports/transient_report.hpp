@@ -22,8 +22,9 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
 
 /// Whether the result tells of the rotor without balls beside that with them.
 bool tells_without_balls(const BasinResult& result);
-/// A row a figure: without balls, with balls held, with balls. Only where tells_without_balls().
-DocumentTable without_balls_table(const BasinResult& result);
+/// A row a figure: without balls and with balls held if tells_without_balls(), with balls, and limits. Of a result with
+/// transients.
+DocumentTable way_table(const BasinResult& result);
 /// The same of a rotor that has no balls at all.
 DocumentTable bare_table(const BasinResult& result);
 /// Then: how many runs tell of it.

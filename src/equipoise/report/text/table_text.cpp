@@ -169,15 +169,6 @@ std::string document_text(const Document& document, const TextStyle& style) {
   return text;
 }
 
-std::string blocks_text(std::span<const Block> blocks, const TextStyle& style) {
-  std::string text;
-  for (const Block& block : blocks) {
-    if (const auto* table = std::get_if<DocumentTable>(&block)) text += table_text(*table, style);
-    if (const auto* words = std::get_if<Paragraph>(&block)) text += filled("", words->text, style);
-  }
-  return text + "\n";
-}
-
 std::string lines_filled(std::string_view lines, const TextStyle& style, std::size_t hang) {
   std::string text;
   while (!lines.empty()) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,9 +37,6 @@ std::string filled(std::string_view label, std::string_view text, const TextStyl
 /// is a sheet. Sentences that follow one another form one group; an empty line separates it from other blocks. A table
 /// that is too wide becomes a list, and a folded one is left out unless the style has details.
 std::string document_text(const Document& document, const TextStyle& style = wide_style);
-
-/// Tables and paragraphs one below the other, and an empty line.
-std::string blocks_text(std::span<const Block> blocks, const TextStyle& style = wide_style);
 
 /// Lines, each filled; what a line goes on with stands below its first character that is no space, or from column
 /// `hang` on where that column ends a label.

@@ -1,0 +1,327 @@
+// An ensemble as a document: the verdict, what the machine does, its transients, and how that was computed; on a page
+// with drawings.
+#include "equipoise/report/reports/reports.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/answers/sampling_text.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/decision/standards_text.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
+#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/report/text/json.hpp"
+#include "equipoise/report/text/grade_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/results/commands/left_grade.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// The grounds on which starts were decided, as shares of all starts.
+std::string decided_text(const BasinResult& r) {
+  if (r.starts == 0) return "";
+  std::array<std::uint64_t, decided_by_count> counts{};
+  for (const OutcomeShare& a : r.attractors)
+    for (int k = 0; k < decided_by_count; ++k) counts[k] += a.decided_by[k];
+  std::string text;
+  for (int k = 1; k < decided_by_count; ++k)
+    if (counts[k] > 0)
+      text += fmt::format("{}{} {:.2f} %", text.empty() ? "" : ", ", decided_by_names[k],
+                          100.0 * static_cast<double>(counts[k]) / static_cast<double>(r.starts));
+  return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
+}
+
+// Shares of starts that passed the resonance, that did not, and for which this is unknown.
+std::string passage_text(const BasinResult& r) {
+  const Share &passed = *r.passed, &held = *r.not_passed;
+  const double above = r.study.passed_speed();
+  const bool from_above = std::fabs(r.study.speed.initial) >= above;
+  const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
+  std::string text =
+      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                  from_above ? "Above the resonance in the end" : "Came through the resonance",
+                  percent(passed.share, digits_for(passed)), interval(passed), engineering(r.study.scales, above, study::Dimension::speed));
+  if (held.count > 0) text += fmt::format("; held below: {}", part(held));
+  const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
+  if (open > 0)
+    text += fmt::format("; not known yet: {}, undecided and slower when last seen",
+                        percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
+  if (open > 0 && (passed.least > 0.0 || passed.most < 1.0))
+    text += "; through, whatever the others do: " + bounds_text(passed);
+  return text + ".\n";
+}
+
+// Whether collisions of balls mattered.
+std::string contact_text(const Share& met) {
+  if (met.count == 0)
+    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+  return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
+                     percent(met.share, digits_for(met)), interval(met));
+}
+
+std::string end_name(const BasinResult& r, const OutcomeShare& o) {
+  return o.id == stalled_code ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed) : o.name;
+}
+
+// Without rows for what no start came to: none_words() names those.
+DocumentTable outcome_table(const BasinResult& r, bool details) {
+  const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
+  const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
+  const double second = physical ? r.study.scales->time() : 1.0;
+  const TransientResult* t = r.transients ? &*r.transients : nullptr;
+  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
+  const study::ShownUnit length = study::shown_unit(study::Dimension::length, r.study.scales);
+  const bool graded = is_graded(r.study);
+  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}};
+  const auto column = [&](bool there, const std::string& title, bool spare) {
+    if (!there) return;
+    if (spare) table.spare.push_back(table.header.size());
+    table.header.push_back(title);
+  };
+  column(open, "bounds", false);
+  column(t, fmt::format("RMS at end, {}", velocity.name), false);
+  column(true, physical ? "known after, s" : "known after", true);
+  column(true, "starts", true);
+  column(even, "as good as", true);
+  column(t && graded, "balance quality", true);
+  column(t, fmt::format("displacement, {}", length.name), true);
+  const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
+    std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
+    if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
+    const TransientGroup* group = nullptr;
+    if (t)
+      for (const TransientGroup& g : t->groups)
+        if (g.id == o.id && g.starts > 0) group = &g;
+    const auto mean = [&](float TransientRow::*value, const study::ShownUnit& unit) {
+      return number_cell(group ? fmt::format("{:.3g}", group->figure(value).mean * unit.size) : "-");
+    };
+    if (t) cells.push_back(mean(&TransientRow::rms_velocity, velocity));
+    cells.push_back(number_cell(timed ? fmt::format("{:.4g}", o.mean_time * second) : "-"));
+    cells.push_back(number_cell(fmt::format("{}", o.share.count)));
+    if (even) cells.push_back(number_cell(as_good_as(o.share)));
+    const auto grade = group && graded ? left_grade(*group, r.study) : std::nullopt;
+    if (t && graded) cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
+    if (t) cells.push_back(mean(&TransientRow::peak_radial_at_end, length));
+    table.rows.push_back(std::move(cells));
+  };
+  for (const OutcomeShare& a : r.attractors)
+    if (a.share.count > 0 || a.id == balanced_id) row(reader_title(a, physical), Tone::plain, a, a.share.count > 0);
+  for (const OutcomeShare& o : r.others())
+    if (o.share.count > 0) row(end_name(r, o), Tone::open, o, false);
+  std::vector<std::string> captions;
+  if (open)
+    captions.emplace_back(
+        "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they "
+        "end.");
+  if (t) captions.emplace_back("Velocity and displacement at the end: means over the starts of the outcome.");
+  if (t && graded)
+    captions.push_back(fmt::format(
+        "Balance quality: ISO 21940-11's grade of the unbalance that is left{}, for comparison only.",
+        r.study.parameters.tilts() ? " in the plane of the outermost bearing that has more of it for its share" : ""));
+  if (details)
+    captions.push_back(fmt::format(
+        "Known after: mean time until the outcome is certain, from when the drive no longer changes and the "
+        "balls are free{}.",
+        physical ? "" : ", in 1/omega_c"));
+  table.caption = fmt::format("{}", fmt::join(captions, " "));
+  return table;
+}
+
+// "No start was undecided, diverged or failed (each below 0.19 %)." "No start came to: co-drifting, chaotic; locked;
+// and none diverged or failed (...)." What undecided starts may still come to has a bound of its own.
+std::string none_words(const BasinResult& r) {
+  const bool physical = r.study.scales.has_value(), open = r.undecided.count > 0;
+  std::vector<std::string> motions, ends;
+  const Share *of_motions = nullptr, *of_ends = nullptr;
+  for (const OutcomeShare& a : r.attractors) {
+    if (a.share.count > 0 || a.id == balanced_id) continue;
+    motions.push_back(reader_title(a, physical));
+    of_motions = &a.share;
+  }
+  for (const OutcomeShare& o : r.others()) {
+    if (o.share.count > 0) continue;
+    of_ends = r.of(o.id);
+    ends.push_back(o.id == undecided_code ? "was undecided" : end_name(r, o));
+  }
+  if (!of_ends) return "";
+  const auto each = [](std::size_t count) { return count > 1 ? "each " : ""; };
+  // Names of motions may hold commas.
+  std::string text = "No start ";
+  if (!motions.empty()) text += fmt::format("{}{}", "came to: ", fmt::join(motions, "; "));
+  if (!motions.empty() && open)
+    text += fmt::format(" ({}at most {}, however the undecided starts end)", each(motions.size()),
+                        percent(of_motions->most, digits_for(*of_motions)));
+  if (!motions.empty()) text += "; and none ";
+  for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "" : k + 1 < ends.size() ? ", " : " or ") + ends[k];
+  return text + fmt::format("{} ({}{}).", open ? " while followed" : "",
+                            each(open ? ends.size() : motions.size() + ends.size()), interval(*of_ends));
+}
+
+class BasinDocument {
+ public:
+  BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, bool details, const MachinePage* page)
+      : r_(r), tried_(tried), details_(details), page_(page), study_(r.study), shown_(r.study) {
+    if (r.transients && !r.transients->groups.empty() && r.transients->groups.front().starts > 0)
+      all_ = &r.transients->groups.front();
+  }
+
+  Document make() {
+    const auto verdict = verdict_of(r_, tried_);
+    std::optional<Notice> notice;
+    if (verdict)
+      notice = Notice{
+          verdict->words, tone_of(verdict->decision), {{"because", verdict->because}, {"change", verdict->change}}};
+    document_ = document_with(study_, answer_sentence(r_), r_.own_starts ? "" : uncertain_text(study_), notice);
+    stopped();
+    const bool balls = study_.parameters.balls > 0;
+    if (balls && !r_.note.empty())
+      document_.add(Paragraph{fmt::format("Note: {}.", note_text(study_, r_.note)), Tone::open});
+    if (page_) changes();
+    if (page_ && !page_->runs.empty()) {
+      const bool constant = study_.speed.profile == Profile::constant;
+      document_.add(Heading{2, constant ? "How it shakes" : "How it shakes on its way up", ""});
+      document_.add(run_up_drawing(*page_));
+    }
+    if (!balls && r_.without_balls) alone();
+    if (balls && r_.starts > 0) {
+      ends();
+      way();
+      kept();
+      more();
+    }
+    origin();
+    return std::move(document_);
+  }
+
+ private:
+  // Lines as sentences.
+  void add_lines(const std::string& lines) {
+    for (std::size_t begin = 0; begin < lines.size();) {
+      const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+      if (end > begin) document_.add(Paragraph{lines.substr(begin, end - begin)});
+      begin = end + 1;
+    }
+  }
+
+  void stopped() {
+    if (study_.parameters.balls == 0 ? r_.without_balls.has_value() : !r_.partial && r_.starts > 0) return;
+    std::string text = "PARTIAL: stopped before anything was known.";
+    if (study_.parameters.balls > 0)
+      text = r_.starts == 0 ? "PARTIAL: stopped before the first start was decided; there are no shares."
+                            : fmt::format("PARTIAL: stopped after {}{} starts; all figures are of those.", r_.starts,
+                                          r_.asked > 0 ? fmt::format(" of {}", r_.asked) : "");
+    document_.add(Paragraph{text, Tone::bad});
+  }
+
+  void changes() {
+    DocumentTable table = changes_table(r_, tried_);
+    if (table.rows.empty()) return;
+    document_.add(Heading{2, "What to change", ""});
+    document_.add(std::move(table));
+  }
+
+  // A rotor that has no balls.
+  void alone() {
+    document_.add(Heading{2, "The rotor alone", ""});
+    document_.add(Paragraph{bare_words(r_)});
+    document_.add(bare_table(r_));
+    for (const std::string& sentence : without_balls_words(r_)) document_.add(Paragraph{sentence});
+    kept();
+  }
+
+  // Limits and standards.
+  void kept() {
+    std::vector<Block> limits, standards = standards_blocks(r_);
+    if (all_) {
+      if (DocumentTable table = limits_table(*all_, study_); !table.rows.empty()) limits.push_back(std::move(table));
+      if (const std::string words = clearance_words(*all_, study_); !words.empty()) limits.push_back(Paragraph{words});
+    }
+    if (limits.empty() && standards.empty()) return;
+    document_.add(Heading{2, limits.empty() ? "Standards" : standards.empty() ? "Limits" : "Limits and standards", ""});
+    for (std::vector<Block>* of : {&limits, &standards})
+      for (Block& block : *of) document_.add(std::move(block));
+  }
+
+  // Where starts end, and how large peaks are on the way there.
+  void ends() {
+    document_.add(Heading{2, "Where starts end", ""});
+    if (page_) document_.add(ends_drawing(*page_));
+    document_.add(outcome_table(r_, details_));
+    if (const std::string none = none_words(r_); !none.empty()) document_.add(Paragraph{none});
+    add_lines(left_unbalance_text(r_.attractors, study_));
+  }
+
+  // Transients on the way there.
+  void way() {
+    if (!all_) return;
+    document_.add(Heading{2, "On the way", ""});
+    document_.add(way_table(r_));
+    if (tells_without_balls(r_))
+      for (const std::string& sentence : without_balls_words(r_)) document_.add(Paragraph{sentence});
+  }
+
+  void more() {
+    if (r_.transients && details_)
+      document_.add(Listing{"Every figure of every outcome", transient_text(*r_.transients, study_), true});
+    if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
+    if (details_) add_lines(decided_text(r_));
+    if (r_.passed) add_lines(passage_text(r_));
+    if (r_.met) add_lines(contact_text(*r_.met));
+    if (const std::string hanging = hanging_text(study_); !page_ && !hanging.empty())
+      document_.add(Paragraph{fmt::format("Warning: {}.", hanging), Tone::open});
+    add_lines(sampling_text(r_));
+  }
+
+  // How that is known.
+  void origin() {
+    std::string words;
+    if (study_.parameters.balls > 0 && r_.starts > 0)
+      words = fmt::format("{} starts{}, each followed until it is known where it ends (undecided after {}).", r_.starts,
+                          r_.own_starts ? "" : " " + starts_words(study_, drawn_keys(study_)),
+                          shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
+    if (r_.resumed_from > 0) words += fmt::format(" {} of them from an earlier run.", r_.resumed_from);
+    std::string computed = computed_text(r_);
+    if (r_.starts > 0)
+      computed += fmt::format(", {:.0f} starts/s", static_cast<double>(r_.starts - r_.resumed_from) / r_.seconds);
+    double seconds = 0.0, cpu_seconds = 0.0;
+    for (const TriedChange& t : tried_) seconds += t.seconds, cpu_seconds += t.cpu_seconds;
+    if (!tried_.empty()) computed += fmt::format("; the changes judged: {:.2f} s, {:.2f} s CPU", seconds, cpu_seconds);
+    if (words.empty()) return document_.add(Paragraph{fmt::format("Equipoise {}; {}.", version_string, computed)});
+    add_origin(document_, study_, words, computed);
+  }
+
+  const BasinResult& r_;
+  const std::span<const TriedChange> tried_;
+  const bool details_;
+  const MachinePage* page_;  // null: no drawings
+  const TransientGroup* all_ = nullptr;
+  const Study& study_;
+  const PageQuantities shown_;
+  Document document_;
+};
+
+}  // namespace
+
+std::string basin_text(const BasinResult& result, const TextStyle& style, std::span<const TriedChange> tried) {
+  return document_text(BasinDocument(result, tried, style.details, nullptr).make(), style);
+}
+
+std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
+  return document_page(BasinDocument(page.basin, tried, false, &page).make(), page.basin.study, page);
+}
+
+}  // namespace equipoise
