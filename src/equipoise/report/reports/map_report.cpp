@@ -40,14 +40,14 @@ std::string scales_text(const SliceFigures& f) {
 
 // How basins lie in each other.
 DocumentTable figures_table(const SliceFigures& f) {
-  DocumentTable table{{"how basins lie in each other", "", "95 % interval"}};
+  DocumentTable table{{"how basins lie in each other", "value", "95 % interval"}};
   const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
     if (figure)
       table.rows.push_back(row_of("tnn", {name, fmt::format("{:.3f}", figure->value),
                                           fmt::format("{:.3f} to {:.3f}", figure->low, figure->high)}));
   };
-  row("box dimension of the boundary (1: smooth, 2: it fills the plane)", f.box_dimension);
-  row("uncertainty exponent (near 0: exact starts help little)", f.uncertainty_exponent);
+  row("box dimension of the boundary (1 smooth, 2 fills all)", f.box_dimension);
+  row("uncertainty exponent (0: exact starts do not help)", f.uncertainty_exponent);
   row("basin entropy", f.basin_entropy);
   row("boundary basin entropy (above log 2 = 0.693: fractal)", f.boundary_basin_entropy);
   if (f.balanced_radius)
