@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/report/explain/balanced_motion.hpp"
+#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 

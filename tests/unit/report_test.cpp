@@ -365,6 +365,12 @@ TEST(StartText, WarnsOfBallsInOnePlaceThatNothingParts) {
   EXPECT_EQ(together({"initial.phi=[1.0, 1.0]", "initial.phi_dot=[0.0, 1.0]"}), "");
 }
 
+std::string transient_text(const TransientResult& r, const Study& study) {
+  Document document;
+  add_transients(document, r, study);
+  return document_text(document);
+}
+
 TEST(TransientText, FoldsAwayOutcomesOfTooFewStarts) {
   Counted c(machine);
   c.add(20, fate(Outcome::attracted, 1), 0.0);

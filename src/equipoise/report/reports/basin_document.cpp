@@ -275,8 +275,7 @@ class BasinDocument {
   }
 
   void more() {
-    if (r_.transients && details_)
-      document_.add(Listing{"Every figure of every outcome", transient_text(*r_.transients, study_), true});
+    if (r_.transients && details_) add_transients(document_, *r_.transients, study_);
     if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
     if (details_) add_lines(decided_text(r_));
     if (r_.passed) add_lines(passage_text(r_));

@@ -15,8 +15,8 @@
 #include "equipoise/results/commands/comparison_result.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 #include "equipoise/results/commands/machine_page.hpp"
-#include "equipoise/results/result_files/inspection.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
+#include "equipoise/results/result_files/inspection.hpp"
 
 namespace equipoise {
 

@@ -1,4 +1,4 @@
-// Transients as text and as JSON.
+// Transients in tables and as JSON.
 #include "equipoise/report/reports/transient_report.hpp"
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -42,65 +41,63 @@ std::string number(double value, double size, const char* open) {
 // With this many starts, the least and the largest figure enclose the median with 95 % confidence: 2^(1 - n) < .05.
 constexpr std::uint64_t fewest_for_figures = 6;
 
-std::string figure_line(const TransientFigure& f, const SampleSummary& s, const Unit& unit, const char* open_word) {
+// Mean and quantiles with their intervals; `open_word`: what figures without an end are called.
+std::vector<DocumentCell> figure_row(const TransientFigure& f, const SampleSummary& s, const Unit& unit,
+                                     const char* open_word) {
   const char* open = s.open > 0 ? open_word : no_bound;
-  const auto with_interval = [&](double value, double low, double high) -> std::string {
-    if (std::isinf(low)) return open;
-    return fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
-                       number(high, unit.size, open));
+  const auto with_interval = [&](double value, double low, double high) -> DocumentCell {
+    if (std::isinf(low)) return {open};
+    return {fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
+                        number(high, unit.size, open))};
   };
-  const std::size_t unit_width = std::max<std::size_t>(15, std::string_view(unit.name).size() + 1);
-  constexpr std::string_view above = "peak displacement ";  // in the previous line
-  std::string title = f.title;
-  if (title.starts_with(above)) title.replace(0, above.size(), "  ");
-  std::string line = fmt::format("  {:<{}}{:<{}}", title, 45 - unit_width, unit.name, unit_width);
-  if (s.open == 0 && s.mean_low == s.mean_high)  // one motion
-    return line + fmt::format("{}, the same for all starts\n", number(s.mean, unit.size, open));
-  line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
-  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<36}", with_interval(q.value, q.low, q.high));
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
+  std::vector<DocumentCell> row{{fmt::format("{}, {}", f.title, unit.name), Tone::plain, false, true}};
+  if (s.open == 0 && s.mean_low == s.mean_high) {  // one motion
+    row.push_back({number(s.mean, unit.size, open) + ", the same for all starts"});
+    row.resize(2 + s.quantiles.size());
+    return row;
+  }
+  row.push_back(s.open == s.count ? DocumentCell{open} : with_interval(s.mean, s.mean_low, s.mean_high));
+  for (const QuantileEstimate& q : s.quantiles) row.push_back(with_interval(q.value, q.low, q.high));
+  return row;
 }
 
-std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study) {
+void add_group(Document& document, const TransientGroup& group, const TransientResult& r, const Study& study) {
   const std::string name = group.id ? group.name : "all outcomes";
   if (group.starts < fewest_for_figures)
-    return fmt::format("{}: too few starts ({}) for figures\n", name, group.starts);
-  std::string text = fmt::format("{}, {} starts\n", name, group.starts);
+    return document.add(Paragraph{fmt::format("{}: too few starts ({}) for figures", name, group.starts)});
+  DocumentTable table{{fmt::format("{}, {} starts", name, group.starts), "mean", "median", "90 % of starts below",
+                       "99 % of starts below"},
+                      {},
+                      "With 95 % intervals."};
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
     if (!r.asks(f, study.limits) || !shows(f, study) || f.value == &TransientRow::followed_until) continue;
     const SampleSummary& s = group.figures[k];
     if (s.count == 0) continue;
-    const Unit unit = unit_of(study, f.told_in());
-    if (s.open == 0) {
-      text += figure_line(f, s, unit, no_bound);
-      continue;
-    }
     const std::uint64_t for_good = group.for_good(f), later = s.open - for_good;
-    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[1] : "no end seen");
-    std::string words;
-    if (for_good > 0) words = fmt::format("{}: {} of {} starts", f.open[0], for_good, s.count);
-    if (later > 0)
-      words +=
-          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", f.open[1], later, s.count);
-    text += fmt::format("    {}{}\n", words, s.open < s.count ? "; the mean is of the others" : "");
+    table.rows.push_back(figure_row(f, s, unit_of(study, f.told_in()),
+                                    s.open == 0     ? no_bound
+                                    : later == 0    ? f.open[0]
+                                    : for_good == 0 ? f.open[1]
+                                                    : "no end seen"));
+    if (for_good > 0) table.caption += fmt::format(" {}: {} of {} starts.", f.open[0], for_good, s.count);
+    if (later > 0) table.caption += fmt::format(" {} when last followed: {} of {} starts.", f.open[1], later, s.count);
+    if (s.open > 0 && s.open < s.count) table.caption += " The mean is of the others.";
   }
+  document.add(std::move(table));
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     if (!group.exceeded[k]) continue;
     const TransientLimit& l = transient_limits[k];
     const Share& s = *group.exceeded[k];
     const Unit unit = unit_of(study, l);
-    text += fmt::format(
-        "  {} above {:.4g} {}: {} ({}){}\n", l.measured, *(study.limits.*l.limit) * unit.size, unit.name, share_text(s),
+    document.add(Paragraph{fmt::format(
+        "{} above {:.4g} {}: {} ({}){}", l.measured, *(study.limits.*l.limit) * unit.size, unit.name, share_text(s),
         interval(s),
-        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; bounds " + bounds_text(s) : "");
+        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; bounds " + bounds_text(s) : "")});
   }
-  const std::optional<double> grade = left_grade(group, study);
-  if (grade)
-    text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
-                        *grade);
-  return text;
+  if (const std::optional<double> grade = left_grade(group, study))
+    document.add(Paragraph{fmt::format(
+        "residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)", *grade)});
 }
 
 Json figure_json(const SampleSummary& s, const Unit& unit) {
@@ -388,33 +385,29 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
   return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
 
-std::string transient_text(const TransientResult& r, const Study& study) {
+void add_transients(Document& document, const TransientResult& r, const Study& study) {
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time),
              force = unit_of(study, Dimension::force);
-  std::string text = fmt::format("  {:<45}{:<36}{:<36}{:<36}{}\n", "transients (95 % intervals)", "mean", "median",
-                                 "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says everything.
-    if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) text += group_text(group, r, study);
-  if (r.settings.watches_settling())
-    text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);
+    if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) add_group(document, group, r, study);
   const bool undecided =
       std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == undecided_code; });
-  text += fmt::format("\n\"At the end\": in the steady motion that a start ends in{}.\n",
-                      undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
-                                              r.settings.window * time.size, time.name)
-                                : "");
-  text += has_directions(study)
-              ? "RMS velocity: of both directions together; \"one direction\" is X or Y, whichever has more.\n"
-              : "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
+  document.add(Paragraph{fmt::format("\"At the end\": in the steady motion that a start ends in{}.",
+                                     undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
+                                                             r.settings.window * time.size, time.name)
+                                               : "")});
+  document.add(
+      Paragraph{has_directions(study)
+                    ? "RMS velocity: of both directions together; \"one direction\" is X or Y, whichever has more."
+                    : "RMS velocity: of both directions together; one alone has about 0.71 of it."});
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
-    text += fmt::format(
+    document.add(Paragraph{fmt::format(
         "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "
-        "include its weight, {:.4g} {}; dynamic forces are without what carries it there.\n",
-        sag * length.size, length.name, model::total_weight(study.parameters) * force.size, force.name);
-  if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
-  return text + "\n";
+        "include its weight, {:.4g} {}; dynamic forces are without what carries it there.",
+        sag * length.size, length.name, model::total_weight(study.parameters) * force.size, force.name)});
+  if (r.lost > 0) document.add(Paragraph{fmt::format("{} starts diverged or failed and are left out here.", r.lost)});
 }
 
 Json transient_json(const TransientResult& r, const Study& study) {

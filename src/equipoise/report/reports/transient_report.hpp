@@ -1,4 +1,4 @@
-// The transients of an ensemble as text and as JSON.
+// The transients of an ensemble in tables and as JSON.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace equipoise {
 
-/// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
-std::string transient_text(const TransientResult& result, const Study& study);
+/// Every figure of every outcome, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
+void add_transients(Document& document, const TransientResult& result, const Study& study);
 
 /// e omega in mm/s of the mean residual unbalance at the end, at the speed that the starts of `group` came to. Empty
 /// unless is_graded() (results/commands/left_grade.hpp), and if a driven rotor's speed was never measured.
