@@ -77,8 +77,8 @@ std::string end_name(const BasinResult& r, const OutcomeShare& o) {
   return o.id == stalled_code ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed) : o.name;
 }
 
-// Without rows for what no start came to: none_words() names those.
-DocumentTable outcome_table(const BasinResult& r, bool details) {
+// Without rows for what no start came to: none_words() names those. `explained`: the caption says what columns mean.
+DocumentTable outcome_table(const BasinResult& r, bool explained) {
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
   const double second = physical ? r.study.scales->time() : 1.0;
@@ -127,12 +127,13 @@ DocumentTable outcome_table(const BasinResult& r, bool details) {
     captions.emplace_back(
         "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they "
         "end.");
-  if (t) captions.emplace_back("Velocity and displacement at the end: means over the starts of the outcome.");
-  if (t && graded)
+  if (t && explained)
+    captions.emplace_back("Velocity and displacement at the end: means over the starts of the outcome.");
+  if (t && graded && explained)
     captions.push_back(fmt::format(
         "Balance quality: ISO 21940-11's grade of the unbalance that is left{}, for comparison only.",
         r.study.parameters.tilts() ? " in the plane of the outermost bearing that has more of it for its share" : ""));
-  if (details)
+  if (explained)
     captions.push_back(fmt::format(
         "Known after: mean time until the outcome is certain, from when the drive no longer changes and the "
         "balls are free{}.",
@@ -185,7 +186,8 @@ class BasinDocument {
     if (verdict)
       notice = Notice{
           verdict->words, tone_of(verdict->decision), {{"because", verdict->because}, {"change", verdict->change}}};
-    document_ = document_with(study_, answer_sentence(r_), r_.own_starts ? "" : uncertain_text(study_), notice);
+    const std::string answer = notice && !page_ ? "" : answer_sentence(r_);  // a page has room for both
+    document_ = document_with(study_, answer, r_.own_starts ? "" : uncertain_text(study_), notice);
     stopped();
     const bool balls = study_.parameters.balls > 0;
     if (balls && !r_.note.empty())
@@ -260,7 +262,7 @@ class BasinDocument {
   void ends() {
     document_.add(Heading{2, "Where starts end", ""});
     if (page_) document_.add(ends_drawing(*page_));
-    document_.add(outcome_table(r_, details_));
+    document_.add(outcome_table(r_, details_ || page_));
     if (const std::string none = none_words(r_); !none.empty()) document_.add(Paragraph{none});
     add_lines(left_unbalance_text(r_.attractors, study_));
   }
