@@ -15,6 +15,7 @@
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
