@@ -20,6 +20,16 @@ Bordered bordered(const MatrixXd& a, const VectorXd& row, const VectorXd& column
   return {right.head(n), left.head(n), right[n]};
 }
 
+bool fit_borders(const MatrixXd& a, int rounds, VectorXd& row, VectorXd& column) {
+  row = column = VectorXd::Ones(a.rows()).normalized();
+  for (int round = 0; round < rounds; ++round) {
+    const Bordered b = bordered(a, row, column);
+    row = b.right.normalized();
+    column = b.left.normalized();
+  }
+  return row.allFinite() && column.allFinite();
+}
+
 std::optional<Eigen::VectorXcd> eigenvector_near(const MatrixXd& a, std::complex<double> value) {
   const dense::EigenPairs pairs = dense::eigenpairs(a);
   if (!pairs.found) return std::nullopt;

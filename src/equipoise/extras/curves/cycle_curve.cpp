@@ -160,8 +160,8 @@ bool CycleCurve::too_far(const CurvePlace& before, const CurvePlace& place) cons
 }
 
 // The secant's rule that halves the weight of an end that stays.
-template <class Value>
-std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const {
+std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePlace& b,
+                                              const PlaceNumber& value) const {
   // Values of a turn have errors of 1e-9, which may be more than the least: then places no longer differ. A pole, at
   // which a value changes its sign too, is none.
   constexpr double least = 1e-7, pole = 1e-3;
@@ -264,25 +264,12 @@ void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, st
 
 std::vector<SpecialPoint> CycleCurve::specials() const {
   std::vector<SpecialPoint> found;
-  struct Sign {
-    SpecialKind kind;
-    double (*value)(const CurvePlace&);
-  };
-  std::vector<Sign> signs;
-  if (kind_ == CurveKind::cycle_torus)
-    signs = {{SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
-             {SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }}};
-  else
-    signs = {{kind_ == CurveKind::cycle_fold ? SpecialKind::resonance_1_1 : SpecialKind::resonance_1_2,
-              [](const CurvePlace& p) { return p.double_zero; }}};
   for (std::size_t k = 1; k < places_.size(); ++k) {
     const CurvePlace &a = places_[k - 1], &b = places_[k];
     const auto turn = [&](const CurvePlace& p) { return turn_at(p); };
     if (kind_ == CurveKind::cycle_fold && may_turn(k) && turn(a) * turn(b) < 0.0)
       if (const auto place = zero_of(a, b, turn)) found.push_back(special(SpecialKind::cycle_cusp, *place));
-    for (const Sign& sign : signs)
-      if (sign.value(a) * sign.value(b) < 0.0)
-        if (const auto place = zero_of(a, b, sign.value)) found.push_back(special(sign.kind, *place));
+    add_zeros(a, b, found);
     add_changed_others(a, b, found);
   }
   constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more

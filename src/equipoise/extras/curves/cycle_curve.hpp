@@ -44,9 +44,7 @@ class CycleCurve : public FollowedCurve {
   bool look_closer() const;
   double turn_at(const CurvePlace& place) const;
   bool may_turn(std::size_t k) const;
-  /// Where a value changes its sign.
-  template <class Value>
-  std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const;
+  std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const PlaceNumber& value) const override;
   void add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
 
   double birth_period_;

@@ -20,6 +20,23 @@ constexpr double nearly_there = 1e-5;  // from an edge: ten of the differences b
 
 bool is_inside(const VectorXd& at) { return at.head(2).minCoeff() >= 0.0 && at.head(2).maxCoeff() <= 1.0; }
 
+// Numbers of the places of a kind of curve, and what a point is at which one of them is 0.
+struct TestNumber {
+  CurveKind kind;
+  SpecialKind special;
+  double (*value)(const CurvePlace&);
+};
+constexpr auto double_zero = [](const CurvePlace& p) { return p.double_zero; };
+constexpr std::array<TestNumber, 7> test_numbers{{
+    {CurveKind::hopf, SpecialKind::generalised_hopf, [](const CurvePlace& p) { return p.point.lyapunov; }},
+    {CurveKind::fold, SpecialKind::bogdanov_takens, double_zero},
+    {CurveKind::fold, SpecialKind::cusp, [](const CurvePlace& p) { return p.turn; }},
+    {CurveKind::cycle_fold, SpecialKind::resonance_1_1, double_zero},
+    {CurveKind::cycle_flip, SpecialKind::resonance_1_2, double_zero},
+    {CurveKind::cycle_torus, SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
+    {CurveKind::cycle_torus, SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }},
+}};
+
 }  // namespace
 
 int unstable_besides(const std::vector<std::complex<double>>& rates, const EigenPair& pair) {
@@ -59,6 +76,34 @@ std::optional<CurvePlace> FollowedCurve::between(const CurvePlace& a, const Curv
   like_ = {0.0, a.pair.product + part * (b.pair.product - a.pair.product), {}};
   const auto at = follower_.at_plane(a.at + part * chord, chord / chord.norm());
   return at ? described(*at) : std::nullopt;
+}
+
+std::optional<CurvePlace> FollowedCurve::located(const CurvePlace& a, const CurvePlace& b,
+                                                 const std::function<bool(const CurvePlace&)>& changed) const {
+  double low = 0.0, high = 1.0;
+  std::optional<CurvePlace> found;
+  for (int k = 0; k < 44; ++k) {
+    const double middle = 0.5 * (low + high);
+    found = between(a, b, middle);
+    if (!found) return std::nullopt;
+    (changed(*found) ? high : low) = middle;
+  }
+  return found;
+}
+
+std::optional<CurvePlace> FollowedCurve::zero_of(const CurvePlace& a, const CurvePlace& b,
+                                                 const PlaceNumber& value) const {
+  const double first = value(a), size = std::max(std::fabs(first), std::fabs(value(b)));
+  auto place = located(a, b, [&](const CurvePlace& p) { return value(p) * first < 0.0; });
+  // Through infinity, as at resonances with another swing, it changes sign without a zero.
+  if (place && !(std::fabs(value(*place)) < 1e-3 * size)) place.reset();
+  return place;
+}
+
+void FollowedCurve::add_zeros(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
+  for (const TestNumber& test : test_numbers)
+    if (test.kind == kind_ && test.value(a) * test.value(b) < 0.0)
+      if (const auto place = zero_of(a, b, test.value)) found.push_back(special(test.special, *place));
 }
 
 std::optional<CurveEnd> FollowedCurve::end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const {
@@ -153,14 +198,19 @@ void FollowedCurve::add_crossing(const CurvePlace& a, const CurvePlace& b, std::
     if (!nearest || std::fabs(rate.real()) < std::fabs(nearest->real())) nearest = &rate;
   }
   if (!nearest) return;
-  const bool swings = std::fabs(nearest->imag()) > 1e-6;
-  found.push_back(
-      special(swings ? SpecialKind::double_hopf : kind_at_zero(*place), *place, std::fabs(nearest->imag())));
+  const double frequency = std::fabs(nearest->imag());
+  const bool swings = frequency > 1e-6;
+  if (kind_ == CurveKind::hopf) {
+    found.push_back(special(swings ? SpecialKind::double_hopf : kind_at_zero(*place), *place, frequency));
+  } else if (swings) {  // a second real eigenvalue is a zero of double_zero
+    found.push_back(special(kind_ == CurveKind::fold ? SpecialKind::fold_hopf : SpecialKind::zero_hopf, *place));
+    found.back().frequency = frequency;
+  }
 }
 
 std::vector<SpecialPoint> FollowedCurve::specials() const {
   std::vector<SpecialPoint> found;
-  if (kind_ != CurveKind::hopf) return found;
+  if (kind_ == CurveKind::zero || kind_ == CurveKind::existence) return found;
   const auto add_end = [&](CurveEnd end, const CurvePlace& place) {
     if (end == CurveEnd::no_pair) found.push_back(special(SpecialKind::bogdanov_takens, place));
     if (end != CurveEnd::no_balance || !std::isnan(place.point.lyapunov)) return;
@@ -171,18 +221,21 @@ std::vector<SpecialPoint> FollowedCurve::specials() const {
   add_end(ends_[0], places_.front());
   for (std::size_t k = 1; k < places_.size(); ++k) {
     const CurvePlace &a = places_[k - 1], &b = places_[k];
-    if (a.point.lyapunov * b.point.lyapunov < 0.0) {
-      const auto changed = [&](const CurvePlace& p) { return p.point.lyapunov * a.point.lyapunov < 0.0; };
-      const auto place = located(a, b, changed);
-      const double size = std::max(std::fabs(a.point.lyapunov), std::fabs(b.point.lyapunov));
-      // Through infinity, as at resonances with another swing, it changes sign without a zero.
-      if (place && std::fabs(place->point.lyapunov) < 1e-3 * size)
-        found.push_back(special(SpecialKind::generalised_hopf, *place));
-    }
-    if (!std::isnan(a.point.lyapunov + b.point.lyapunov)) add_crossing(a, b, found);
+    add_zeros(a, b, found);
+    if (kind_ != CurveKind::hopf || !std::isnan(a.point.lyapunov + b.point.lyapunov)) add_crossing(a, b, found);
   }
   add_end(ends_[1], places_.back());
   return found;
+}
+
+bool FollowedCurve::put_pair(const BalanceSpectrum& at, CurvePlace& place) const {
+  const auto pair = nearest_pair(at.rates, like_);
+  if (!pair) return false;
+  place.pair = *pair;
+  place.point.frequency = std::sqrt(std::max(0.0, pair->product));
+  place.point.others = unstable_besides(at.rates, *pair);
+  place.point.lyapunov = first_lyapunov(at, place.point.frequency).value_or(NAN);
+  return true;
 }
 
 namespace {
@@ -225,13 +278,7 @@ std::optional<CurvePlace> BalanceCurve::described(const VectorXd& at) const {
     place.point.others = spectrum->unstable();
     return place;
   }
-  const auto pair = nearest_pair(spectrum->rates, like_);
-  if (!pair) return std::nullopt;
-  place.pair = *pair;
-  place.point.frequency = std::sqrt(std::max(0.0, pair->product));
-  place.point.others = unstable_besides(spectrum->rates, *pair);
-  place.point.lyapunov = first_lyapunov(*spectrum, place.point.frequency).value_or(NAN);
-  return place;
+  return put_pair(*spectrum, place) ? std::optional(place) : std::nullopt;
 }
 
 // Margin and growth of the pair vanish together: Newton's method with the balls in line, where both are smooth.

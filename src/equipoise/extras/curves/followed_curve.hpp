@@ -71,20 +71,11 @@ class FollowedCurve {
   /// Why a way ends inside the plane, which may have a last place there.
   virtual void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const;
 
-  /// Where `changed` turns from false, at a, to true, at b.
-  template <class Changed>
-  std::optional<CurvePlace> located(const CurvePlace& a, const CurvePlace& b, const Changed& changed) const {
-    double low = 0.0, high = 1.0;
-    std::optional<CurvePlace> found;
-    for (int k = 0; k < 44; ++k) {
-      const double middle = 0.5 * (low + high);
-      const auto place = between(a, b, middle);
-      if (!place) return std::nullopt;
-      (changed(*place) ? high : low) = middle;
-      found = place;
-    }
-    return found;
-  }
+  using PlaceNumber = std::function<double(const CurvePlace&)>;
+  /// Where a number that has different signs at two places is 0. Empty if it passes through infinity.
+  virtual std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const PlaceNumber& value) const;
+  /// Special points between two places at which a number of this kind of curve is 0.
+  void add_zeros(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
   CurvePlace place_at(const Eigen::VectorXd& at) const {
     CurvePlace place;
     place.at = at;
@@ -96,8 +87,9 @@ class FollowedCurve {
     return {kind, 0, place.point.x, place.point.y, place.point.frequency, second, place.point.state};
   }
   std::optional<CurvePlace> between(const CurvePlace& a, const CurvePlace& b, double part) const;
-  /// Where the number of other unstable eigenvalues changes between two places: which they are.
-  void add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
+  /// The pair nearest to `like` among the rates of a state at rest: its frequency, what its swing does, and how many
+  /// other rates are unstable. False if there is no pair.
+  bool put_pair(const BalanceSpectrum& at, CurvePlace& place) const;
 
   const PlaneStudies& plane_;
   CurveKind kind_;
@@ -109,6 +101,11 @@ class FollowedCurve {
  private:
   Way way(const CurvePlace& from, const Eigen::VectorXd& towards, const StopFlag* stop);
   std::optional<CurvePlace> at_edge(const Eigen::VectorXd& inside, const Eigen::VectorXd& outside) const;
+  /// Where `changed` turns from false, at a, to true, at b.
+  std::optional<CurvePlace> located(const CurvePlace& a, const CurvePlace& b,
+                                    const std::function<bool(const CurvePlace&)>& changed) const;
+  /// Where the number of other unstable eigenvalues changes between two places: which they are.
+  void add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
   const std::size_t most_;  // places each way
 };
 

@@ -1,4 +1,4 @@
-// Test functions with their derivatives, and special points.
+// Test functions with their derivatives.
 #include "equipoise/extras/curves/locked_states.hpp"
 
 #include <algorithm>
@@ -114,20 +114,13 @@ std::optional<CurvePlace> LockedCurve::described(const VectorXd& at) const {
   const auto here = spectrum(at);
   if (!here) return std::nullopt;
   CurvePlace place = place_at(at);
-  place.point.frequency = 0.0;
   put_state(*here, place.point);
-  if (kind_ == CurveKind::hopf) {
-    const auto pair = nearest_pair(here->rates, like_);
-    if (!pair) return std::nullopt;
-    place.pair = *pair;
-    place.point.frequency = std::sqrt(std::max(0.0, pair->product));
-    place.point.lyapunov = first_lyapunov(*here, place.point.frequency).value_or(NAN);
-  } else {
-    const auto smaller = [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); };
-    const auto zero = static_cast<std::size_t>(std::min_element(here->rates.begin(), here->rates.end(), smaller) -
-                                               here->rates.begin());
-    place.pair.places = {zero, zero};
-  }
+  if (kind_ == CurveKind::hopf) return put_pair(*here, place) ? std::optional(place) : std::nullopt;
+  place.point.frequency = 0.0;
+  const auto smaller = [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); };
+  const auto zero =
+      static_cast<std::size_t>(std::min_element(here->rates.begin(), here->rates.end(), smaller) - here->rates.begin());
+  place.pair.places = {zero, zero};
   place.point.others = unstable_besides(here->rates, place.pair);
   if (kind_ != CurveKind::fold) return place;
   const Bordered b = bordered(symmetry_.reduced(here->jacobian), row_, column_);
@@ -159,45 +152,9 @@ bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopF
     const auto system = plane_.system(at);
     if (!system) return false;
     const MatrixXd small = symmetry_.reduced(model::jacobian(*system, z));
-    row_ = column_ = VectorXd::Ones(symmetry_.size()).normalized();
-    for (int round = 0; round < 3; ++round) {
-      const Bordered b = bordered(small, row_, column_);
-      row_ = b.right.normalized();
-      column_ = b.left.normalized();
-    }
-    if (!row_.allFinite() || !column_.allFinite()) return false;
+    if (!fit_borders(small, 3, row_, column_)) return false;
   }
   return follow(guess, stop, known);
-}
-
-std::vector<SpecialPoint> LockedCurve::specials() const {
-  if (kind_ == CurveKind::hopf) return FollowedCurve::specials();
-  std::vector<SpecialPoint> found;
-  for (std::size_t k = 1; k < places_.size(); ++k) {
-    const CurvePlace &a = places_[k - 1], &b = places_[k];
-    if (kind_ == CurveKind::fold) {
-      for (const auto& [member, kind] :
-           {std::pair{&CurvePlace::double_zero, SpecialKind::bogdanov_takens}, {&CurvePlace::turn, SpecialKind::cusp}})
-        if (a.*member * b.*member < 0.0) {
-          const auto changed = [&, member = member](const CurvePlace& p) { return a.*member * p.*member < 0.0; };
-          const auto place = located(a, b, changed);
-          const double size = std::max(std::fabs(a.*member), std::fabs(b.*member));
-          if (place && std::fabs((*place).*member) < 1e-3 * size) found.push_back(special(kind, *place));
-        }
-    }
-    const std::size_t before = found.size();
-    add_crossing(a, b, found);
-    if (found.size() == before) continue;
-    SpecialPoint& point = found.back();
-    if (point.kind != SpecialKind::double_hopf) {  // a second real eigenvalue: where the zero is double
-      found.pop_back();
-      continue;
-    }
-    point.kind = kind_ == CurveKind::fold ? SpecialKind::fold_hopf : SpecialKind::zero_hopf;
-    point.frequency = point.second;
-    point.second = 0.0;
-  }
-  return found;
 }
 
 }  // namespace equipoise

@@ -84,7 +84,6 @@ class LockedCurve : public FollowedCurve {
 
   /// From a state near the curve at a place near it.
   bool follow_from(const Eigen::VectorXd& at, const Eigen::VectorXd& state, const StopFlag* stop, const Known& known);
-  std::vector<SpecialPoint> specials() const override;
 
  private:
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;

@@ -279,14 +279,7 @@ MatrixXd CycleTest::matrix(const CycleArcs& arcs) const {
 bool CycleTest::begin(const CycleArcs& arcs, const VectorXd& phase) {
   phase_ = phase;
   if (change_ == CurveKind::cycle_torus) return true;
-  const MatrixXd a = matrix(arcs);
-  row_ = column_ = VectorXd::Ones(a.rows()).normalized();
-  for (int round = 0; round < 4; ++round) {
-    const Bordered b = bordered(a, row_, column_);
-    row_ = b.right.normalized();
-    column_ = b.left.normalized();
-  }
-  return row_.allFinite() && column_.allFinite();
+  return fit_borders(matrix(arcs), 4, row_, column_);
 }
 
 std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
