@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Writes one study file for every published share or row of shares of Wright and Peng (2019), from published/*.csv.
+# Writes one study file for every published share or row of shares of Wright and Peng (2019), from published/rows.csv.
 """Usage: generate.py [--check] [DIRECTORY]
 
 Writes the studies into DIRECTORY (default: the folder of this script). With --check it writes nothing and exits with 1
@@ -18,8 +18,6 @@ HERE = Path(__file__).resolve().parent
 PRINTED_AS_FRACTION = {("2", "3.2", "V1"), ("2", "4.4", "V4"), ("4", "4.4", "V4")}
 # Rows whose printed shares do not sum to 100 within rounding, and their sum.
 PRINTED_SUM = {("3", "25"): "100.07", ("5", "700"): "100.46"}
-
-STARTS = {"1": 300000, "2": 300000, "3": 100000, "4": 100000, "5": 100000, "6": 300000, "7": 300000}
 
 PUBLISHED_LAW = 'law = "published"  # psi = t Omega(t) on each branch: docs/explanation/equations.md\n'
 TABLE_7_NOTE = """\
@@ -40,29 +38,19 @@ def with_point(number):
     return text if "." in text else text + ".0"
 
 
-def published(table, row, cells):
-    """The comment that states the published shares; `cells` maps outcome to printed number."""
+def published(row):
+    """The comment that states the published shares."""
     parts = []
-    for outcome, printed in cells.items():
-        if (table, row, outcome) in PRINTED_AS_FRACTION:
+    for outcome in ("balanced", "V1", "V2", "V3", "V4"):
+        printed = row[outcome]
+        if (row["table"], row["parameter"], outcome) in PRINTED_AS_FRACTION:
             percent = plain(Decimal(printed) * 100)
             parts.append(f"{outcome} {percent} (printed as the fraction {plain(printed)})")
-        else:
+        elif printed:
             parts.append(f"{outcome} {plain(printed)}")
     text = f"# Published shares in percent: {', '.join(parts)}.\n"
-    if (table, row) in PRINTED_SUM:
-        text += f"# The printed row sums to {PRINTED_SUM[table, row]}: one of its cells is misprinted.\n"
-    return text
-
-
-def study(table, title, shares, profile, release=None, drag="0.05", note=""):
-    text = f"# Wright and Peng (2019), table {table}, {title}.\n{shares}{note}# Written by generate.py.\n"
-    text += "\n[rotor]\neccentricity = 0.01\ndamping = 0.5\n"
-    text += f"\n[balancer]\nballs = 2\nmass = 0.05\ndrag = {drag}\n"
-    text += f"\n[speed]\n{profile}"
-    if release:
-        text += f"\n[release]\nspeed = {with_point(release)}\n"
-    text += f"\n[sampling]\nstarts = {STARTS[table]}\nseed = 1\n"
+    if (row["table"], row["parameter"]) in PRINTED_SUM:
+        text += f"# The printed row sums to {PRINTED_SUM[row['table'], row['parameter']]}: one of its cells is misprinted.\n"
     return text
 
 
@@ -81,51 +69,39 @@ def trapezoid(t0, t1, t2):
             + PUBLISHED_LAW)
 
 
-def shares_of(row):
-    return {outcome: row[outcome] for outcome in ("balanced", "V1", "V2", "V3", "V4") if outcome in row}
-
-
-def rows(table):
-    with open(HERE / "published" / f"table-{table}.csv", newline="", encoding="utf-8") as file:
-        yield from csv.DictReader(file)
+def study(row):
+    """The text of a row's study."""
+    table, label, at, other = row["table"], row["label"], row["parameter"], row["series"].split(" ")[-1]
+    drag, release, note = "0.05", None, ""
+    if table in ("1", "2"):
+        title, profile, drag = f"{label}: constant speed, balls free from the start", constant(at), other or drag
+    elif table in ("3", "5"):
+        release = "2.4" if table == "3" else "2.2"
+        title, profile = f"{label}: ramp 0 to 2.4, balls released at {release}", ramp("2.4", at)
+    elif table == "4":
+        release = at
+        title, profile = f"{label}: ramp 0 to {at} in T0 = 500, balls released at {at}", ramp(at, "500")
+    elif table == "6":
+        release = other
+        title, profile = f"T0 = {at}, Omega_r = {other}: ramp 0 to 5, balls released at {other}", ramp("5", at)
+    else:
+        t0, t1, t2 = label.split(", ")
+        release, note = "3", TABLE_7_NOTE
+        title, profile = f"T0 = {t0}, T1 = {t1}, T2 = {t2}: trapezoid 0 to 3 to 2", trapezoid(t0, t1, t2)
+    text = f"# Wright and Peng (2019), table {table}, {title}.\n{published(row)}{note}# Written by generate.py.\n"
+    text += "\n[rotor]\neccentricity = 0.01\ndamping = 0.5\n"
+    text += f"\n[balancer]\nballs = 2\nmass = 0.05\ndrag = {drag}\n"
+    text += f"\n[speed]\n{profile}"
+    if release:
+        text += f"\n[release]\nspeed = {with_point(release)}\n"
+    return text + f"\n[sampling]\nstarts = {row['starts']}\nseed = 1\n"
 
 
 def studies():
     """Yields (file name, text) of every study."""
-    for row in rows("1"):
-        omega = with_point(row["Omega"])
-        for beta in ("0.01", "0.05", "0.1", "0.25"):
-            shares = published("1", omega, {"balanced": row[f"balanced_beta_{beta}"]})
-            title = f"Omega = {omega}, beta = {beta}: constant speed, balls free from the start"
-            yield f"table-1-beta-{beta}-omega-{omega}", study("1", title, shares, constant(omega), drag=beta)
-    for row in rows("2"):
-        omega = with_point(row["Omega"])
-        title = f"Omega = {omega}: constant speed, balls free from the start"
-        yield f"table-2-omega-{omega}", study("2", title, published("2", omega, shares_of(row)), constant(omega))
-    for row in rows("3"):
-        t0 = plain(row["T0"])
-        title = f"T0 = {t0}: ramp 0 to 2.4, balls released at 2.4"
-        yield f"table-3-t0-{t0}", study("3", title, published("3", t0, shares_of(row)), ramp("2.4", t0), "2.4")
-    for row in rows("4"):
-        omega = with_point(row["Omega_f"])
-        title = f"Omega_f = {omega}: ramp 0 to {omega} in T0 = 500, balls released at {omega}"
-        shares = published("4", omega, shares_of(row))
-        yield f"table-4-omega-{omega}", study("4", title, shares, ramp(omega, "500"), omega)
-    for row in rows("5"):
-        t0 = plain(row["T0"])
-        title = f"T0 = {t0}: ramp 0 to 2.4, balls released at 2.2"
-        yield f"table-5-t0-{t0}", study("5", title, published("5", t0, shares_of(row)), ramp("2.4", t0), "2.2")
-    for row in rows("6"):
-        t0 = plain(row["T0"])
-        for release in ("2", "3"):
-            shares = published("6", t0, {"balanced": row[f"balanced_Omega_r_{release}"]})
-            title = f"T0 = {t0}, Omega_r = {release}: ramp 0 to 5, balls released at {release}"
-            yield f"table-6-release-{release}-t0-{t0}", study("6", title, shares, ramp("5", t0), release)
-    for row in rows("7"):
-        t0, t1, t2 = (plain(row[key]) for key in ("T0", "T1", "T2"))
-        title = f"T0 = {t0}, T1 = {t1}, T2 = {t2}: trapezoid 0 to 3 to 2"
-        yield f"table-7-t0-{t0}-t1-{t1}-t2-{t2}", study(
-            "7", title, published("7", t0, shares_of(row)), trapezoid(t0, t1, t2), "3", note=TABLE_7_NOTE)
+    with open(HERE / "published" / "rows.csv", newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            yield row["study"], study(row)
 
 
 def differences(directory, wanted):

@@ -1,6 +1,7 @@
 // Stated choices for three open questions, and answers by basin slices and ensembles.
 #include "equipoise/extras/reproduction/reproduction.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -10,9 +11,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
 
@@ -35,8 +34,11 @@ SamplingBox stated_box() {
   return box;
 }
 
+// Per sample; two samples per speed.
+constexpr std::uint64_t most_starts = 20000;
+
 // A part's progress is reported under its name.
-void use(const OpenQuestionSettings& settings, const std::string& part, RunOptions& options) {
+void use(const ReproduceOptions& settings, const std::string& part, RunOptions& options) {
   options.threads = settings.threads;
   options.stop = settings.stop;
   if (!settings.progress) return;
@@ -46,7 +48,7 @@ void use(const OpenQuestionSettings& settings, const std::string& part, RunOptio
   };
 }
 
-BasinSlice mapped(const Study& study, const OpenQuestionSettings& settings, const std::string& part, const SliceAxis& x,
+BasinSlice mapped(const Study& study, const ReproduceOptions& settings, const std::string& part, const SliceAxis& x,
                   const SliceAxis& y, const std::vector<AngleLink>& links) {
   BasinSliceSettings map;
   map.x = x;
@@ -56,10 +58,9 @@ BasinSlice mapped(const Study& study, const OpenQuestionSettings& settings, cons
   return basin_slice(study, map);
 }
 
-BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
+BasinResult sampled(Study study, const SamplingBox& box, const ReproduceOptions& settings,
                     AttractorSearchCache& searches, const std::string& file, const std::string& part) {
-  study.sampling.starts = settings.starts;
-  study.sampling.seed = settings.seed;
+  study.sampling.starts = settings.starts > 0 ? std::min(settings.starts, most_starts) : most_starts;
   study.sampling.box = box;
   BasinOptions options;
   use(settings, part, options);
@@ -69,7 +70,9 @@ BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSetti
   return basin(study, options);
 }
 
-OpenQuestions answered(const OpenQuestionSettings& settings) {
+}  // namespace
+
+OpenQuestions open_questions(const ReproduceOptions& settings) {
   const int pixels = settings.slice_pixels;
   const SliceAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
   OpenQuestions result;
@@ -95,13 +98,6 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
   }
   result.complete = result.complete && result.boxes.size() == speeds.size();
   return result;
-}
-
-}  // namespace
-
-OpenQuestions open_questions(const OpenQuestionSettings& settings) {
-  const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, answered);
 }
 
 }  // namespace equipoise

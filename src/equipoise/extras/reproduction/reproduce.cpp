@@ -196,15 +196,6 @@ void lead_on_table_7(const ReproduceOptions& options, Reproduction& r) {
   }
 }
 
-OpenQuestions future(const ReproduceOptions& options) {
-  OpenQuestionSettings settings;
-  static_cast<RunOptions&>(settings) = options;
-  settings.slice_pixels = options.slice_pixels;
-  if (options.starts > 0) settings.starts = std::min(settings.starts, options.starts);
-  settings.folder = options.folder;
-  return open_questions(settings);
-}
-
 Reproduction whole_paper(const ReproduceOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto stopped = [&] { return is_set(options.stop); };
@@ -218,7 +209,7 @@ Reproduction whole_paper(const ReproduceOptions& options) {
     if (options.progress) options.progress({k, options.figures.size(), options.figures[k], {}});
     r.figures.push_back(paper_figure(options.figures[k], options.stop));
   }
-  if (options.future && !stopped()) r.open = future(options);
+  if (options.future && !stopped()) r.open = open_questions(options);
   r.partial = stopped();
   r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   r.run_cpu_seconds = cpu_seconds();

@@ -19,6 +19,22 @@
 
 namespace equipoise {
 
+/// Speed laws to compute ramps under. At constant speed there is no difference.
+enum class LawChoice { published, kinematic, both };
+inline constexpr std::array<const char*, 3> law_choice_names{"published", "kinematic", "both"};
+
+/// Progress is in starts of all ensembles asked for, then in curves, pixels and starts of the other parts.
+struct ReproduceOptions : RunOptions {
+  std::vector<int> tables;  ///< 1 to 7
+  LawChoice laws = LawChoice::both;
+  std::uint64_t starts = 0;  ///< per row; 0: as many as in the paper
+  /// Folder for a NetCDF file of every ensemble's outcomes; empty: none. Ensembles found there are reused or resumed.
+  std::string folder;
+  std::vector<std::string> figures;  ///< among paper_figure_ids()
+  bool future = false;               ///< the open questions
+  int slice_pixels = 64;             ///< along each side of their basin slices
+};
+
 /// Shares at one speed: of starts all over the box, and of starts at rest with the same ball angles.
 struct BoxShares {
   double speed = 0.0;
@@ -32,20 +48,12 @@ struct OpenQuestions {
   bool complete = true;               ///< false: stopped; the parts that are here are valid
 };
 
-/// Progress is in pixels of a slice, then in starts of a sample.
-struct OpenQuestionSettings : RunOptions {
-  int slice_pixels = 64;         ///< along each side of both slices; a pixel takes 7 to 25 ms on average
-  std::uint64_t starts = 20000;  ///< per sample; two samples per speed
-  std::uint64_t seed = 1;
-  std::string folder;  ///< an existing folder for the samples' per-start results (NetCDF), resumed; empty: none
-};
-
 /// The rotor of the paper's section 4 (zeta = 0.5, mu = beta = 0.05, lambda = 0.01) at constant speed 2.4, balls free
 /// and everything at rest in the rotating frame, unless a question varies it. The box of the third question: |x|, |y|
 /// <= 0.2, |x'|, |y'| <= 0.5, |phi_i'| <= 2.4, any ball angles. The paper names no box, and shares depend on it. This
 /// one includes the motions that starts at rest come to (r up to 0.15, x' to 0.25, ball rates to -2.38), rotors held
 /// further out, and balls from rest in the fixed frame at speed 2.4 to as fast again ahead of the rotor.
-OpenQuestions open_questions(const OpenQuestionSettings& settings = {});
+OpenQuestions open_questions(const ReproduceOptions& settings);
 
 struct FigureSeries {
   std::string label;
@@ -128,22 +136,6 @@ struct Reproduction {
 
 /// One JSON object; docs/reference/commands/reproduce.md lists the keys.
 std::string reproduction_json(const Reproduction& r);
-
-/// Speed laws to compute ramps under. At constant speed there is no difference.
-enum class LawChoice { published, kinematic, both };
-inline constexpr std::array<const char*, 3> law_choice_names{"published", "kinematic", "both"};
-
-/// Progress is in starts of all ensembles asked for, then in curves, pixels and starts of the other parts.
-struct ReproduceOptions : RunOptions {
-  std::vector<int> tables;  ///< 1 to 7
-  LawChoice laws = LawChoice::both;
-  std::uint64_t starts = 0;  ///< per row; 0: as many as in the paper
-  /// Folder for a NetCDF file of every ensemble's outcomes; empty: none. Ensembles found there are reused or resumed.
-  std::string folder;
-  std::vector<std::string> figures;  ///< among paper_figure_ids()
-  bool future = false;               ///< the open questions
-  int slice_pixels = 64;             ///< along each side of their basin slices
-};
 
 /// What can be reproduced: "table-1" to "table-7", the figures, "future", and "tables", "figures", "all".
 std::vector<std::string> reproducible();

@@ -1,4 +1,4 @@
-// The lead on table 7: its study, and a test of balance at a finite time.
+// The lead on table 7: the studies of its rows with another release, and a test of balance at a finite time.
 #include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
@@ -10,25 +10,6 @@
 #include "equipoise/extras/literature/published_tables.hpp"
 
 namespace equipoise {
-
-namespace {
-
-Study lead_study(const Table7Row& row) {
-  Study study = paper_rotor();
-  study.name = "table 7";
-  SpeedSetting& speed = study.speed;
-  speed.profile = Profile::trapezoid;
-  speed.law = model::SpeedLaw::kinematic;
-  speed.peak = 3.0;
-  speed.final = 2.0;
-  speed.rise_until = row.t0;
-  speed.hold_until = row.t1;
-  speed.fall_until = row.t2;
-  study.release.speed = 2.2;
-  return study;
-}
-
-}  // namespace
 
 std::string Table7Row::label() const { return fmt::format("{}, {}, {}", t0, t1, t2); }
 
@@ -56,16 +37,18 @@ std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads,
   settings.threads = threads;
   settings.stop = stop;
   std::vector<LeadReading> readings;
-  for (const Table7Row& row : table_7_rows) {
+  for (std::size_t k = 0; k < table_7_rows.size(); ++k) {
+    Study study = study_of(published_tables().back().rows[k], model::SpeedLaw::kinematic);
+    study.release.speed = 2.2;
     std::uint64_t count = 0;
     for (std::uint64_t first = 0; first < starts; first += batch) {
       settings.first = first;
       settings.starts = std::min(batch, starts - first);
-      const Observation seen = observe(lead_study(row), settings);
+      const Observation seen = observe(study, settings);
       if (!seen.complete) throw RunError("stopped before table 7 was observed");
       count += called_balanced(seen, test);
     }
-    readings.push_back({row, wilson_share(count, starts)});
+    readings.push_back({table_7_rows[k], wilson_share(count, starts)});
   }
   return readings;
 }
