@@ -26,42 +26,29 @@ struct CompareArguments : CommonArguments {
 };
 
 // Read and checked before any work starts.
-struct Side {
-  std::optional<BasinOutcomes> stored;
-  std::optional<Study> study;
-};
-
-Side side(const std::string& given, const CompareArguments& a, bool second) {
-  Side result;
+ComparedSide side(const std::string& given, const CompareArguments& a, bool second) {
   const bool set = !a.overrides.empty() || (second && !a.second_overrides.empty());
   if (given.ends_with(".nc")) {
     if (set || a.starts || a.seed)
       throw InputError(given, set ? "--set" : "--starts, --seed", "", "go with studies; a result is already computed");
-    result.stored = read_basin_outcomes(given);
-    return result;
+    return ComparedSide(given);
   }
   CommonArguments with = a;
   if (second) with.overrides.insert(with.overrides.end(), a.second_overrides.begin(), a.second_overrides.end());
-  result.study = read_study(given, overrides_of(with));
-  check_comparable(*result.study);
-  return result;
+  return ComparedSide(read_study(given, overrides_of(with)));
 }
 
 int run_compare(const CompareArguments& a) {
   RunOptions options;
   begin_computing(a, options);
-  Side first = side(a.first, a, false), second = side(a.second, a, true);
+  const ComparedSide first = side(a.first, a, false), second = side(a.second, a, true);
   ProgressLine progress(a.quiet, options);
   RunOptions of_first = options;
-  if (!second.stored) of_first.stop_asked = half_of_the_time();
+  if (second.study) of_first.stop_asked = half_of_the_time();
   const auto begin = std::chrono::steady_clock::now();
-  // Figures of both, if either is asked for them.
-  const auto asks = [](const Side& s) { return s.study ? s.study->limits.any() : !s.stored->transients[0].empty(); };
-  const bool transients = a.transients || asks(first) || asks(second);
-  if (!first.stored) first.stored = basin_outcomes(*first.study, of_first, transients);
-  if (!second.stored) second.stored = basin_outcomes(*second.study, options, transients);
+  const ComparisonResult result =
+      compare(first, second, of_first, options, a.transients ? std::optional(true) : std::nullopt);
   progress.finish();
-  const ComparisonResult result = compare(*first.stored, *second.stored);
   put(a.json ? comparison_json(result) : comparison_text(result, text_style()));
   if (!result.partial || !(stop_flag() || time_is_limited())) return done;
   const Study& asked = second.study ? *second.study : first.study.value_or(result.first);

@@ -183,37 +183,20 @@ py::list figures_of_transients() {
   return figures;
 }
 
-// A study, or the file of an ensemble that was finished.
-struct Side {
-  std::optional<BasinOutcomes> stored;
-  const Study* study = nullptr;
+using GivenSide = std::variant<const PyStudy*, std::string>;
 
-  explicit Side(const std::variant<const PyStudy*, std::string>& given) {
-    if (const auto* path = std::get_if<std::string>(&given)) {
-      stored = read_basin_outcomes(*path);
-    } else {
-      study = &std::get<const PyStudy*>(given)->study;
-      check_comparable(*study);
-    }
-  }
-  bool has_transients() const { return study ? study->limits.any() : !stored->transients[0].empty(); }
-  BasinOutcomes outcomes(const RunOptions& options, bool gather) {
-    return stored ? std::move(*stored) : basin_outcomes(*study, options, gather);
-  }
-};
+ComparedSide side_of(const GivenSide& given) {
+  if (const auto* path = std::get_if<std::string>(&given)) return ComparedSide(*path);
+  return ComparedSide(std::get<const PyStudy*>(given)->study);
+}
 
-Kept<ComparisonResult> compare_studies(const std::variant<const PyStudy*, std::string>& first_given,
-                                       const std::variant<const PyStudy*, std::string>& second_given,
+Kept<ComparisonResult> compare_studies(const GivenSide& first_given, const GivenSide& second_given,
                                        std::optional<bool> transients, const py::dict& settings) {
   CallWith<> call(settings);
-  Side first(first_given), second(second_given);
+  const ComparedSide first = side_of(first_given), second = side_of(second_given);
   RunOptions of_first = call.options;
   if (second.study) of_first.stop_asked = [&] { return call.half_over() || call.options.stop_asked(); };
-  return call.keep([&] {
-    const bool gather = transients.value_or(first.has_transients() || second.has_transients());
-    const BasinOutcomes one = first.outcomes(of_first, gather);
-    return compare(one, second.outcomes(call.options, gather));
-  });
+  return call.keep([&] { return compare(first, second, of_first, call.options, transients); });
 }
 
 }  // namespace

@@ -19,6 +19,22 @@ void check_comparable(const Study& study);
 BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options,
                              std::optional<bool> transients = std::nullopt);
 
+/// One side of a comparison: a study, or the file of an ensemble.
+struct ComparedSide {
+  std::optional<Study> study;
+  std::optional<BasinOutcomes> stored;
+
+  /// As check_comparable().
+  explicit ComparedSide(const Study& given);
+  /// As read_basin_outcomes().
+  explicit ComparedSide(const std::string& path);
+};
+
+/// Runs the sides that are studies. `transients`: whether they are gathered; unset: if either side has limits or
+/// transients.
+ComparisonResult compare(const ComparedSide& first, const ComparedSide& second, const RunOptions& of_first,
+                         const RunOptions& of_second, std::optional<bool> transients);
+
 /// Takes results of read_basin_outcomes() or basin_outcomes(). Throws InputError for starts on a grid.
 ComparisonResult compare(const BasinOutcomes& first, const BasinOutcomes& second);
 

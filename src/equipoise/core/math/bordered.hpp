@@ -19,7 +19,8 @@ struct Bordered {
 /// solution.
 Bordered bordered(const Eigen::MatrixXd& a, const Eigen::VectorXd& row, const Eigen::VectorXd& column);
 
-/// Makes `row` and `column` the null vectors of A, of unit length, by inverse iteration of `rounds` rounds. False if they are not finite.
+/// Makes `row` and `column` the null vectors of A, of unit length, by inverse iteration of `rounds` rounds. False if
+/// they are not finite.
 bool fit_borders(const Eigen::MatrixXd& a, int rounds, Eigen::VectorXd& row, Eigen::VectorXd& column);
 
 /// The eigenvector of the eigenvalue nearest to `value`; empty where the iteration does not converge.

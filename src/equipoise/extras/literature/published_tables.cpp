@@ -102,8 +102,12 @@ std::string slip_of(const std::vector<PublishedCell>& cells) {
 std::vector<PublishedTable> read_tables() {
   std::vector<PublishedTable> tables;
   for (const Line& line : lines_of("published/tables.csv"))
-    tables.push_back({static_cast<int>(tables.size()) + 1, line.at("title"), line.at("parameter"),
-                      line.at("ramps") == "yes", line.at("unclaimed"), {}});
+    tables.push_back({static_cast<int>(tables.size()) + 1,
+                      line.at("title"),
+                      line.at("parameter"),
+                      line.at("ramps") == "yes",
+                      line.at("unclaimed"),
+                      {}});
   for (const Line& line : lines_of("published/rows.csv")) {
     PublishedRow row{line.at("study"), line.at("label"), line.at("series"), number_in(line.at("parameter")), {}, ""};
     const auto starts = static_cast<std::uint64_t>(number_in(line.at("starts")));
