@@ -51,18 +51,38 @@ SliceAxis axis_of(const Study& study, const std::string& text, const std::string
   return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), pixels, option);
 }
 
-/// Where a command keeps its work, and what errors call its result.
-struct PlaneKind {
-  const char* made;
-  Keeper keeper;
-};
+StabilityPlane computed(const Study& study, const StabilitySettings& how) { return stability(study, how); }
+BifurcationChart computed(const Study& study, const ChartSettings& how) { return bifurcation_chart(study, how); }
+BasinSlice computed(const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); }
 
-/// Reads the study, computes and puts out. `settings(study)`: what the command has besides axes; `compute(study,
-/// settings)` gives the result, which knows its study and whether it is complete; `forms(result, source)` makes its
-/// FormMakers, which may refer to both.
-template <class Settings, class Compute, class Forms>
-int run_plane(const PlaneArguments& a, const PlaneKind& kind, const Settings& settings, const Compute& compute,
-              const Forms& forms) {
+// They refer to the result and the source.
+FormMakers forms_of(const StabilityPlane& plane, const StudySource&) {
+  return {[&] { return stability_text(plane, text_style()); },
+          [&] { return stability_json(plane); },
+          [&] { return stability_csv(plane); },
+          [&] { return stability_plot(plane, file_title(plane.study)); },
+          {}};
+}
+FormMakers forms_of(const BifurcationChart& chart, const StudySource&) {
+  return {[&] { return chart_text(chart, text_style()); },
+          [&] { return chart_json(chart); },
+          [&] { return chart_csv(chart); },
+          [&] { return chart_plot(chart, file_title(chart.plane.study)); },
+          {}};
+}
+FormMakers forms_of(const BasinSlice& map, const StudySource& source) {
+  return {[&] { return result_text(map, text_style()); },
+          [&] { return map_json(map); },
+          {},
+          [&] { return map_plot(map, file_title(map.study)); },
+          [&] { return result_page(map, given_machine(source.toml, source.name, source.overrides)); }};
+}
+
+/// Reads the study, computes and puts out. `made`: what errors call the result; `keeper`: where the command keeps its
+/// work; `settings(study)`: what it has besides axes. computed() and forms_of() are those of the settings and the
+/// result.
+template <class Settings>
+int run_plane(const PlaneArguments& a, const char* made, Keeper keeper, const Settings& settings) {
   begin_computing(a);
   const StudySource source = source_of(a);
   const Study study = at_medians(source.with());
@@ -77,14 +97,16 @@ int run_plane(const PlaneArguments& a, const PlaneKind& kind, const Settings& se
   ProgressLine progress(a.quiet, how);
   const auto result = [&] {
     try {
-      return compute(study, how);
+      return computed(study, how);
     } catch (const InputError& e) {
-      throw under_names(e, how.x, how.y, {"--x", "--y", "--size", kind.made});
+      throw under_names(e, how.x, how.y, {"--x", "--y", "--size", made});
     }
   }();
   progress.finish();
-  put_forms(a, forms(result, source));
-  return result.complete ? done : ended_early(progress.left(), kind.keeper, kind.keeper ? a.output : "");
+  if constexpr (requires { result.read_whole; })
+    if (result.read_whole) say("read from {}", a.output);
+  put_forms(a, forms_of(result, source));
+  return result.complete ? done : ended_early(progress.left(), keeper, keeper ? a.output : "");
 }
 
 /// STUDY and the axes; `x`, `y`, `size` are what a command's help says of them.
@@ -97,15 +119,6 @@ void add_axes(CLI::App& app, PlaneArguments& a, const char* x, const char* y, co
   app.add_option("--size", a.size, size)->type_name("WIDTHxHEIGHT");
 }
 
-/// -o, --csv, --plot, --json and what every computing command has, for planes of two parameters.
-void add_plane_forms(CLI::App& app, PlaneArguments& a, const char* output, const char* csv, const char* plot) {
-  app.add_option("-o,--output", a.output, output)->type_name("FILE");
-  app.add_option("--csv", a.csv, csv)->type_name("FILE");
-  app.add_option("--plot", a.plot, plot)->type_name("FILE.svg");
-  add_json(app, a.json);
-  add_usual(app, a);
-}
-
 template <class Arguments>
 std::shared_ptr<Arguments> arguments_over(const char* x, const char* y, const char* size) {
   const auto a = std::make_shared<Arguments>();
@@ -113,19 +126,6 @@ std::shared_ptr<Arguments> arguments_over(const char* x, const char* y, const ch
   a->y = y;
   a->size = size;
   return a;
-}
-
-int run_stability(const PlaneArguments& a) {
-  return run_plane(
-      a, {"stability", nullptr}, [](const Study&) { return StabilitySettings(); },
-      [](const Study& study, const StabilitySettings& how) { return stability(study, how); },
-      [](const StabilityPlane& plane, const StudySource&) {
-        return FormMakers{[&] { return stability_text(plane, text_style()); },
-                          [&] { return stability_json(plane); },
-                          [&] { return stability_csv(plane); },
-                          [&] { return stability_plot(plane, file_title(plane.study)); },
-                          {}};
-      });
 }
 
 struct ChartArguments : PlaneArguments {
@@ -148,19 +148,6 @@ ChartSettings chart_settings(const ChartArguments& a) {
   return settings;
 }
 
-int run_chart(const ChartArguments& a) {
-  return run_plane(
-      a, {"stability", nullptr}, [&](const Study&) { return chart_settings(a); },
-      [](const Study& study, const ChartSettings& how) { return bifurcation_chart(study, how); },
-      [](const BifurcationChart& chart, const StudySource&) {
-        return FormMakers{[&] { return chart_text(chart, text_style()); },
-                          [&] { return chart_json(chart); },
-                          [&] { return chart_csv(chart); },
-                          [&] { return chart_plot(chart, file_title(chart.study)); },
-                          {}};
-      });
-}
-
 struct MapArguments : PlaneArguments {
   std::vector<std::string> ties;
 };
@@ -172,27 +159,15 @@ BasinSliceSettings map_settings(const MapArguments& a, const Study& study) {
   return settings;
 }
 
-int run_map(const MapArguments& a) {
-  return run_plane(
-      a, {"map", kept_by_output}, [&](const Study& study) { return map_settings(a, study); },
-      [](const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); },
-      [&](const BasinSlice& map, const StudySource& source) {
-        if (map.read_whole) say("read from {}", a.output);
-        return FormMakers{[&] { return result_text(map, text_style()); },
-                          [&] { return map_json(map); },
-                          {},
-                          [&] { return map_plot(map, file_title(map.study)); },
-                          [&] { return result_page(map, given_machine(source.toml, source.name, source.overrides)); }};
-      });
-}
-
 }  // namespace
 
 Command add_stability(CLI::App& app) {
   const auto a = arguments_over<PlaneArguments>("speed.final", "balancer.drag", "512x512");
   add_axes(app, *a, help::parameter_x, help::parameter_y, help::stability::size);
-  add_plane_forms(app, *a, help::stability::output, help::stability::csv, help::stability::plot);
-  return [a] { return run_stability(*a); };
+  app.add_option("-o,--output", a->output, help::stability::output)->type_name("FILE");
+  add_forms(app, *a, {help::stability::csv, help::stability::plot, false});
+  add_usual(app, *a);
+  return [a] { return run_plane(*a, "stability", nullptr, [](const Study&) { return StabilitySettings(); }); };
 }
 
 Command add_chart(CLI::App& app) {
@@ -201,8 +176,10 @@ Command add_chart(CLI::App& app) {
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
   app.add_flag("--cycles", a->cycles, help::chart::cycles);
-  add_plane_forms(app, *a, help::chart::output, help::chart::csv, help::chart::plot);
-  return [a] { return run_chart(*a); };
+  app.add_option("-o,--output", a->output, help::chart::output)->type_name("FILE");
+  add_forms(app, *a, {help::chart::csv, help::chart::plot, false});
+  add_usual(app, *a);
+  return [a] { return run_plane(*a, "stability", nullptr, [&](const Study&) { return chart_settings(*a); }); };
 }
 
 Command add_map(CLI::App& app) {
@@ -212,7 +189,7 @@ Command add_map(CLI::App& app) {
   app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
   add_forms(app, *a, {nullptr, help::map::plot});
   add_usual(app, *a);
-  return [a] { return run_map(*a); };
+  return [a] { return run_plane(*a, "map", kept_by_output, [&](const Study& s) { return map_settings(*a, s); }); };
 }
 
 }  // namespace equipoise::app

@@ -14,7 +14,7 @@ namespace equipoise::app {
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", forms.plot, words.plot)->type_name("FILE.svg");
-  app.add_option("--report", forms.report, help::report)->type_name("FILE.html");
+  if (words.page) app.add_option("--report", forms.report, help::report)->type_name("FILE.html");
   add_json(app, forms.json);
 }
 

@@ -19,6 +19,7 @@ struct ResultForms : CommonArguments {
 struct FormWords {
   const char* csv;
   const char* plot;
+  bool page = true;  ///< whether the command has --report
 };
 /// --csv, --plot, --report, --json.
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words);

@@ -313,7 +313,7 @@ TEST(CycleChart, TheEquationsRestInTheStatesOfItsPoints) {
   for (const auto& curve : chart.curves)
     for (const CurvePoint& p : curve.points) {
       if (p.state.empty()) continue;
-      const Study study = parse_study(to_toml(chart.study), "rotor",
+      const Study study = parse_study(to_toml(chart.plane.study), "rotor",
                                       {fmt::format("speed.speed={}", p.x), fmt::format("balancer.drag={}", p.y)});
       const StudyEquations equations(study);
       ASSERT_EQ(static_cast<std::size_t>(equations.dimension()), p.state.size());

@@ -10,7 +10,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"

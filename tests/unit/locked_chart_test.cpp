@@ -59,7 +59,7 @@ const BifurcationChart& of_motor() {
 }
 
 model::System system_at(const BifurcationChart& chart, double x, double y) {
-  Study study = chart.study;
+  Study study = chart.plane.study;
   const auto put = [&](const std::string& key, double value) { study = study_with(study, key, value); };
   put(chart.plane.x.key, x);
   put(chart.plane.y.key, y);

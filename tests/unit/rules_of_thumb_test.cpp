@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"

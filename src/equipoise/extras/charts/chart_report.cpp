@@ -70,7 +70,7 @@ std::string loss_sentences(const BifurcationChart& chart) {
   if (sentences.empty()) sentences.push_back("No line on which a stable balance loses its stability was found.");
   const auto ends = [](const ChartCurve& c) { return c.kind == CurveKind::existence; };
   if (std::any_of(chart.curves.begin(), chart.curves.end(), ends))
-    sentences.push_back(chart.study.parameters.tilts()
+    sentences.push_back(chart.plane.study.parameters.tilts()
                             ? "On the line where balance ends all balls of one plane stand in line, and states merge."
                             : "On the line where balance ends all balls stand in line, and their states merge.");
   return fmt::format("{}", fmt::join(sentences, " "));
@@ -89,12 +89,12 @@ std::string proof_sentence(const BifurcationChart& chart) {
 
 // In the units of the axes.
 std::string place_text(const BifurcationChart& chart, double x, double y, int digits = 4) {
-  return plain_number(x * shown_axis(chart.study, chart.plane.x).factor, digits) + ", " +
-         plain_number(y * shown_axis(chart.study, chart.plane.y).factor, digits);
+  return plain_number(x * shown_axis(chart.plane.study, chart.plane.x).factor, digits) + ", " +
+         plain_number(y * shown_axis(chart.plane.study, chart.plane.y).factor, digits);
 }
 
 std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {
-  const std::string unit = shown_axis(chart.study, axis).unit;
+  const std::string unit = shown_axis(chart.plane.study, axis).unit;
   return unit.empty() ? axis.key : fmt::format("{} in {}", axis.key, unit);
 }
 
@@ -323,10 +323,11 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
   if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
-  return text + lines_filled(chart_notes(chart) + fmt::format("{} curve{}, {} boxes; {}; equipoise {}\n",
-                                                              chart.curves.size(), plural(chart.curves.size()),
-                                                              chart.boxes.size(), computed_text(chart), version_string),
-                             style);
+  return text +
+         lines_filled(chart_notes(chart) + fmt::format("{} curve{}, {} boxes; {}; equipoise {}\n", chart.curves.size(),
+                                                       plural(chart.curves.size()), chart.boxes.size(),
+                                                       computed_text(chart.plane), version_string),
+                      style);
 }
 
 std::string chart_json(const BifurcationChart& chart) {
@@ -352,7 +353,7 @@ std::string chart_json(const BifurcationChart& chart) {
                            "none", chart.proved(BalanceKind::none), "open", chart.proved(BalanceKind::open), "boxes",
                            list_of(chart.boxes, box));
   put(json, "partial", !chart.complete);
-  add_computed(json, chart);
+  add_computed(json, chart.plane);
   return json.dump() + "\n";
 }
 

@@ -18,7 +18,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   const PlaneStudies plane(study, settings.x, settings.y,
                            [](const Study& there) { check_offers(there, model::ResultKind::curves); });
   BifurcationChart chart;
-  chart.study = chart.plane.study = study;
+  chart.plane.study = study;
   chart.plane.x = settings.x;
   chart.plane.y = settings.y;
   chart.cycles = settings.cycles;
@@ -33,10 +33,8 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     if (settings.cycles && !is_set(settings.stop)) add_cycles(plane, settings, chart);  // which then tells what it left
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);
-  chart.threads = chart.plane.threads;
-  chart.cpu_target = chart.plane.cpu_target;
   if (!settings.output.empty()) write_chart_file(settings.output, chart);
-  chart.took(clock.time());
+  chart.plane.took(clock.time());
   return chart;
 }
 

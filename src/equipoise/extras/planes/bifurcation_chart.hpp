@@ -145,9 +145,8 @@ struct ProofBox {
   BalanceKind kind = BalanceKind::open;
 };
 
-struct BifurcationChart : RunInfo {
-  Study study;
-  StabilityPlane plane;  ///< the grid from which curves were begun
+struct BifurcationChart {
+  StabilityPlane plane;  ///< the grid from which curves were begun; its times are those of the whole chart
   std::vector<ChartCurve> curves;
   std::vector<SpecialPoint> specials;
   std::vector<std::string> locked;  ///< names of the kinds of locked state

@@ -175,7 +175,7 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
                       {"box_y_high", "parameter y, to", [](const auto& b) { return b.y[1]; }}});
   identify(data, "chart", identity_of(chart), chart.plane);
   data.say("locked_states", fmt::format("{}", fmt::join(chart.locked, ", ")));
-  finish(data, path, chart.study, chart.complete);
+  finish(data, path, chart.plane.study, chart.complete);
 }
 
 }  // namespace equipoise
