@@ -17,8 +17,6 @@
 #include "result_forms.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -92,11 +90,21 @@ int run_attractors(const AttractorsArguments& a) {
 Command add_attractors(CLI::App& app) {
   const auto a = std::make_shared<AttractorsArguments>();
   add_study(app, *a);
-  add_starts(app, *a, fmt::format(help::attractors::starts, search_starts).c_str(), help::attractors::seed);
-  app.add_option("--state", a->states, help::attractors::state)->type_name("X,Y,...")->take_all();
-  app.add_option("--along", a->along, help::attractors::along)->type_name("KEY=FROM:TO:STEP");
-  app.add_option("-o,--output", a->output, help::attractors::output)->type_name("FILE");
-  app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE.svg");
+  add_starts(app, *a, fmt::format("starts to search (default {})", search_starts).c_str(), "seed of the random starts");
+  app.add_option("--state", a->states,
+                 "also follow this state, for attractors too rare to be met by chance: x,y,u,v, ball angles, ball "
+                 "rates, as \"state\" in --json prints them; may be repeated")
+      ->type_name("X,Y,...")
+      ->take_all();
+  app.add_option("--along", a->along,
+                 "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
+                 "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides "
+                 "the pilot's")
+      ->type_name("KEY=FROM:TO:STEP");
+  app.add_option("-o,--output", a->output,
+                 "with --along: one line per value and attractor (.csv), or the same as NetCDF (.nc)")
+      ->type_name("FILE");
+  app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max")->type_name("FILE.svg");
   add_usual(app, *a);
   add_json(app, a->json);
   return [a] { return run_attractors(*a); };

@@ -19,12 +19,10 @@
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
-#include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -123,8 +121,7 @@ int run_basin(const BasinArguments& a) {
     source.overrides.push_back("numerics.decide=" + *a.decide);
   }
   const Study study = source.with();
-  if (a.half_width)
-    options.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, words::half_width_range);
+  if (a.half_width) options.half_width = half_width_option(*a.half_width);
   if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
   options.limit_given = a.starts.has_value();
   if (a.no_transients)
@@ -186,23 +183,31 @@ int run_report(const ReportArguments& a) {
 Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
   add_study(app, *a);
-  add_starts(app, *a, help::basin::starts);
-  app.add_option("--half-width", a->half_width, help::basin::half_width)->type_name("H");
+  add_starts(app, *a, "number of starts (with --half-width: at most so many)");
+  app.add_option("--half-width", a->half_width,
+                 "sample until every share's 95 % interval is within +- H (a fraction of one)")
+      ->type_name("H");
   app.add_option_function<std::vector<std::string>>(
          "--sensitivity",
          [a](const std::vector<std::string>& given) {
            a->sensitivity = true;
            if (!given.empty() && !given.front().empty()) a->rows = given.front();
          },
-         help::basin::sensitivity)
+         "what balance depends on most, of a study with uncertain values: Sobol indices from N rows of starts")
       ->expected(0, 1)
       ->type_name("[N]");
-  app.add_option("--start-index", a->start_index, help::basin::start_index)->type_name("I");
-  app.add_option("--decide", a->decide, help::basin::decide)->type_name("HOW");
-  app.add_option("-o,--output", a->output, help::basin::output)->type_name("FILE.nc");
-  CLI::Option* asked = app.add_flag("--transients", a->transients, help::basin::transients);
-  app.add_flag("--no-transients", a->no_transients, help::basin::no_transients)->excludes(asked);
-  app.add_option("--report", a->report, help::basin::report)->type_name("FILE.html");
+  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
+      ->type_name("I");
+  app.add_option("--decide", a->decide, "grounds of decision: validated (default), proof (of balance) or horizon")
+      ->type_name("HOW");
+  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
+      ->type_name("FILE.nc");
+  CLI::Option* asked = app.add_flag("--transients", a->transients,
+                                    "peak vibration, bearing force, settling time and other transients (default where "
+                                    "the study has [limits] or [standards], or is in physical units)");
+  app.add_flag("--no-transients", a->no_transients, "leave these out, and with them the verdict")->excludes(asked);
+  app.add_option("--report", a->report, "the same as a page to take to a meeting (see report); with --transients")
+      ->type_name("FILE.html");
   add_no_changes(app, a->no_changes);
   add_wide(app);
   add_details(app);
@@ -215,7 +220,9 @@ Command add_basin(CLI::App& app) {
 Command add_report(CLI::App& app) {
   const auto a = std::make_shared<ReportArguments>();
   add_study(app, *a);
-  app.add_option("-o,--output", a->output, help::report_page::output)->required()->type_name("FILE.html");
+  app.add_option("-o,--output", a->output, "page to write: one file that needs nothing else")
+      ->required()
+      ->type_name("FILE.html");
   add_starts(app, *a);
   add_no_changes(app, a->no_changes);
   add_overrides(app, a->overrides);

@@ -20,8 +20,6 @@
 #include "streams.hpp"
 #include "team.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -107,16 +105,30 @@ int run_capacity(CapacityArguments& a) {
 Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
   add_study(app, *a);
-  app.add_option("--of", a->of, help::capacity::of)->type_name("KEY");
-  app.add_option("--between", a->between, help::capacity::between)->type_name("LOW:HIGH");
-  app.add_option("--by", a->by, help::capacity::by)->type_name("WHAT");
-  app.add_option("--at-least", a->at_least, help::capacity::at_least)->type_name("SHARE");
-  app.add_option("--precision", a->precision, help::capacity::precision)->type_name("P");
-  app.add_option("--over", a->over, help::capacity::over)->type_name("KEY=VALUES")->take_all();
-  app.add_flag("--zip", a->zip, help::zip);
-  add_starts(app, *a, help::capacity::starts, help::capacity::seed);
-  app.add_option("-o,--output", a->output, help::capacity::output)->type_name("FILE");
-  add_forms(app, *a, {help::capacity::csv, help::plot});
+  app.add_option("--of", a->of,
+                 "the parameter to maximise, any key that --set takes (default: the unbalance, in g mm of a study in "
+                 "physical units, else rotor.eccentricity)")
+      ->type_name("KEY");
+  app.add_option("--between", a->between,
+                 "range to search, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an unbalance: up to what all "
+                 "balls together can make up for)")
+      ->type_name("LOW:HIGH");
+  app.add_option("--by", a->by,
+                 "what a start must do: balanced (default), limits (keep all of [limits]), or one limit by its name")
+      ->type_name("WHAT");
+  app.add_option("--at-least", a->at_least, "share of starts that must do it (default 0.95)")->type_name("SHARE");
+  app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
+      ->type_name("P");
+  app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")
+      ->type_name("KEY=VALUES")
+      ->take_all();
+  add_zip(app, a->zip);
+  add_starts(app, *a, "number of starts of every ensemble (default 10000)",
+             "seed of the starts, which are the same in all");
+  app.add_option("-o,--output", a->output,
+                 "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  add_forms(app, *a, {"one line per cell (.csv)", "a picture"});
   add_usual(app, *a);
   return [a] { return run_capacity(*a); };
 }

@@ -15,7 +15,6 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -74,14 +73,14 @@ int run_certify(const CertifyArguments& a) {
 
 Command add_certify(CLI::App& app) {
   const auto a = std::make_shared<CertifyArguments>();
-  app.add_option("study", a->study, help::study)->type_name("STUDY");
-  app.add_option("--check", a->check, help::certify::check)->type_name("FILE.json");
+  add_study(app, *a)->required(false);
+  app.add_option("--check", a->check, "verify a certificate's file instead, from its own data")->type_name("FILE.json");
   add_overrides(app, a->overrides);
-  app.add_option("-o,--output", a->output, help::certify::output)->type_name("FILE.json");
+  app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
   add_json(app, a->json);
   add_wide(app);
   add_within(app, a->within);
-  app.add_flag("--quiet", a->quiet, help::quiet);
+  add_quiet(app, a->quiet);
   return [a] { return run_certify(*a); };
 }
 

@@ -12,8 +12,6 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -62,11 +60,14 @@ int run_compare(const CompareArguments& a) {
 
 Command add_compare(CLI::App& app) {
   const auto a = std::make_shared<CompareArguments>();
-  app.add_option("first", a->first, help::compare::first)->required()->type_name("FIRST");
-  app.add_option("second", a->second, help::compare::second)->required()->type_name("SECOND");
-  add_starts(app, *a, help::compare::starts, help::compare::seed);
-  app.add_option("--set-second", a->second_overrides, help::compare::set_second)->type_name("KEY=VALUE")->take_all();
-  app.add_flag("--transients", a->transients, help::compare::transients);
+  app.add_option("first", a->first, "study file (TOML), or a result of basin -o (.nc)")->required()->type_name("FIRST");
+  app.add_option("second", a->second, "study file or result that is compared with it")->required()->type_name("SECOND");
+  add_starts(app, *a, "number of starts of both", "seed of the starts of both");
+  app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  app.add_flag("--transients", a->transients,
+               "also compare peaks, forces, settling time and other transients (default where a study has [limits])");
   add_usual(app, *a);
   add_json(app, a->json);
   return [a] { return run_compare(*a); };

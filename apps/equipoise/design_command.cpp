@@ -18,7 +18,6 @@
 #include "streams.hpp"
 #include "team.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -79,12 +78,17 @@ int run_design(const DesignArguments& a) {
 
 Command add_design(CLI::App& app) {
   const auto a = std::make_shared<DesignArguments>();
-  add_study(app, *a, help::design::study);
-  app.add_option("--best", a->best, help::design::best)->type_name("FILE.toml");
-  app.add_option("--trajectories", a->trajectories, help::design::trajectories)->type_name("N");
-  app.add_option("--seed", a->seed, help::design::seed)->type_name("S");
-  app.add_option("-o,--output", a->output, help::design::output)->type_name("FILE");
-  add_forms(app, *a, {help::design::csv, help::plot});
+  add_study(app, *a, "study file (TOML); without a [design] one is proposed and taken");
+  app.add_option("--best", a->best, "write the chosen design as a study that every other command takes")
+      ->type_name("FILE.toml");
+  app.add_option("--trajectories", a->trajectories,
+                 "budget (default: design.trajectories, else 2000000; a proposed [design] states its own)")
+      ->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts, which are the same for all candidates")->type_name("S");
+  app.add_option("-o,--output", a->output,
+                 "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  add_forms(app, *a, {"one line per member of the front (.csv)", "a picture"});
   add_usual(app, *a);
   return [a] { return run_design(*a); };
 }

@@ -22,7 +22,6 @@
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -70,35 +69,38 @@ std::vector<char*> words_of(const CLI::App& app, int argc, char** argv) {
 }
 
 int run(int given, char** arguments) {
-  CLI::App app(help::program);
+  CLI::App app("Will this automatic balancer balance this rotor, how surely and how fast?");
   app.name("equipoise");
   fold_help(app);
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
-  app.footer(help::exit_codes);
+  app.footer(
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 4 out of time (--within) with a "
+      "partial answer, 130 interrupted with results kept.\nData go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
     CLI::App* sub = app.add_subcommand(name, description);
     commands.emplace_back(sub, make(*sub));
   };
-  add("attractors", help::attractors::about, add_attractors);
-  add("basin", help::basin::about, add_basin);
-  add("capacity", help::capacity::about, add_capacity);
-  add("certify", help::certify::about, add_certify);
-  add("chart", help::chart::about, add_chart);
-  add("check", help::check::about, add_check);
-  add("compare", help::compare::about, add_compare);
-  add("design", help::design::about, add_design);
-  add("explain", help::explain::about, add_explain);
-  add("inspect", help::inspect::about, add_inspect);
-  add("map", help::map::about, add_map);
-  add("merge", help::merge::about, add_merge);
-  add("new", help::new_study::about, add_new);
-  add("report", help::report_page::about, add_report);
-  add("reproduce", help::reproduce::about, add_reproduce);
-  add("simulate", help::simulate::about, add_simulate);
-  add("stability", help::stability::about, add_stability);
-  add("sweep", help::sweep::about, add_sweep);
+  add("attractors", "every steady motion of the final speed: refined, named, with its share", add_attractors);
+  add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
+  add("capacity", "the largest unbalance, or other parameter, at which a stated share of starts balances",
+      add_capacity);
+  add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
+  add("chart", "curves in a plane of two parameters on which balance changes, and what is proved beside", add_chart);
+  add("check", "what was understood of a study, what was assumed, and which estimate matters most", add_check);
+  add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
+  add("design", "the best balancer or spin-up among allowed choices, with margins and evidence", add_design);
+  add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
+  add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
+  add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
+  add("merge", "joins files of one sweep from several machines or runs", add_merge);
+  add("new", "a commented study to start from: a washing machine, a fan, any machine", add_new);
+  add("report", "a page on one machine for two printed sheets: verdict, shares, motions, peaks, runs", add_report);
+  add("reproduce", "what Wright and Peng (2019) published, computed again and judged", add_reproduce);
+  add("simulate", "one trajectory at stated times", add_simulate);
+  add("stability", "where balance is stable in a plane of two parameters, by eigenvalues alone", add_stability);
+  add("sweep", "shares at every combination of some parameters' values", add_sweep);
   std::vector<char*> words = words_of(app, given, arguments);
   const int argc = static_cast<int>(words.size());
   char** argv = words.data();

@@ -17,8 +17,6 @@
 #include "commands.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -33,6 +31,10 @@ double option_time(const char* option, const std::string& text, const Study& stu
   else if (study::measure(text, {study::Dimension::time}).problem.empty())
     problem = fmt::format("must be {}: this study has no units", allowed);
   throw InputError(option, "", display_text(text), problem);
+}
+
+double half_width_option(const std::string& text) {
+  return option_number<double>("--half-width", text, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
 }
 
 int threads_option(const std::optional<std::string>& text) {
@@ -92,8 +94,8 @@ void require_ending(const char* option, const std::string& path, const char* fir
 
 void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }
 
-void add_study(CLI::App& app, CommonArguments& a, const char* words) {
-  app.add_option("study", a.study, words)->required()->type_name("STUDY");
+CLI::Option* add_study(CLI::App& app, CommonArguments& a, const char* words) {
+  return app.add_option("study", a.study, words)->required()->type_name("STUDY");
 }
 
 void add_starts(CLI::App& app, CommonArguments& a, const char* starts, const char* seed) {
@@ -102,7 +104,9 @@ void add_starts(CLI::App& app, CommonArguments& a, const char* starts, const cha
 }
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
-  app.add_option("--set", overrides, help::set)->type_name("KEY=VALUE")->take_all();
+  app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
 }
 
 std::string own_sweep(const std::string& study) { return fmt::format("{}: [sweep] over", study); }
@@ -114,16 +118,20 @@ TextStyle& asked_style() {
 }
 }  // namespace
 
-void add_no_changes(CLI::App& app, bool& no_changes) { app.add_flag("--no-changes", no_changes, help::no_changes); }
+void add_no_changes(CLI::App& app, bool& no_changes) {
+  app.add_flag("--no-changes", no_changes,
+               "do not try changes to a balancer that falls short (up to eight, on up to 100 starts each)");
+}
 
 void add_wide(CLI::App& app) {
   app.add_flag_callback(
-      "--wide", [] { asked_style().width = 0; }, help::wide);
+      "--wide", [] { asked_style().width = 0; }, "every column, without line breaks");
 }
 
 void add_details(CLI::App& app) {
   app.add_flag_callback(
-      "--details", [] { asked_style().details = true; }, help::details);
+      "--details", [] { asked_style().details = true; },
+      "also how starts were decided, and every figure of every outcome with its interval");
 }
 
 TextStyle text_style() {
@@ -139,13 +147,19 @@ void add_usual(CLI::App& app, CommonArguments& a) {
   add_computing(app, a);
 }
 
-void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, help::json); }
+void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
+
+void add_zip(CLI::App& app, bool& zip) {
+  app.add_flag("--zip", zip, "the parameters vary together, step by step, instead of in all combinations");
+}
+
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print one JSON object"); }
 
 void add_computing(CLI::App& app, CommonArguments& a) {
-  app.add_option("--threads", a.threads, help::threads)->type_name("T");
-  app.add_option("--cpu", a.cpu, help::cpu)->type_name("NAME");
+  app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
+  app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
   add_within(app, a.within);
-  app.add_flag("--quiet", a.quiet, help::quiet);
+  add_quiet(app, a.quiet);
 }
 
 void begin_computing(const CommonArguments& a) {

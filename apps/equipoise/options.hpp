@@ -20,8 +20,6 @@
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/study.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -57,6 +55,8 @@ Enumeration option_choice(const char* option, const std::string& text, const Nam
   throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(names, ", ")));
 }
 
+/// --half-width H.
+double half_width_option(const std::string& text);
 /// --threads T; 0 if absent, for all cores. More threads than cores are made if asked for.
 int threads_option(const std::optional<std::string>& text);
 
@@ -68,17 +68,20 @@ struct CommonArguments {
   bool json = false, quiet = false;
 };
 /// STUDY.
-void add_study(CLI::App& app, CommonArguments& a, const char* words = help::study);
+CLI::Option* add_study(CLI::App& app, CommonArguments& a, const char* words = "study file (TOML)");
 /// --starts and --seed.
-void add_starts(CLI::App& app, CommonArguments& a, const char* starts = help::starts, const char* seed = help::seed);
+void add_starts(CLI::App& app, CommonArguments& a, const char* starts = "number of starts",
+                const char* seed = "seed of the starts");
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 /// --threads, --cpu, --within and --quiet, which all commands have that compute.
 void add_computing(CLI::App& app, CommonArguments& a);
 /// --wide, --set and those of add_computing().
 void add_usual(CLI::App& app, CommonArguments& a);
-/// --json.
+/// --json, --quiet, --zip.
 void add_json(CLI::App& app, bool& json);
+void add_quiet(CLI::App& app, bool& quiet);
+void add_zip(CLI::App& app, bool& zip);
 
 /// The command's time begins, on the instruction set that the user chose.
 void begin_computing(const CommonArguments& a);

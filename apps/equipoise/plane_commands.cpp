@@ -18,7 +18,6 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
-#include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
@@ -114,9 +113,16 @@ void add_axes(CLI::App& app, PlaneArguments& a, const char* x, const char* y, co
   add_study(app, a);
   app.add_option("--x", a.x, x)->type_name("KEY[=LOW:HIGH]");
   app.add_option("--y", a.y, y)->type_name("KEY[=LOW:HIGH]");
-  app.add_option("--x-range", a.x_range, help::x_range)->type_name("LOW:HIGH");
-  app.add_option("--y-range", a.y_range, help::y_range)->type_name("LOW:HIGH");
+  app.add_option("--x-range", a.x_range, "the range of --x, where it names only a key")->type_name("LOW:HIGH");
+  app.add_option("--y-range", a.y_range, "the same for --y")->type_name("LOW:HIGH");
   app.add_option("--size", a.size, size)->type_name("WIDTHxHEIGHT");
+}
+
+void add_parameters(CLI::App& app, PlaneArguments& a, const char* size) {
+  add_axes(app, a,
+           "what varies from left to right: a key of rotor, balancer or speed that takes a number, and its range, e.g. "
+           "speed.final=0.5:6, \"speed.final=900 rpm:4000 rpm\" (default speed.final)",
+           "the same from bottom to top (default balancer.drag)", size);
 }
 
 template <class Arguments>
@@ -163,31 +169,44 @@ BasinSliceSettings map_settings(const MapArguments& a, const Study& study) {
 
 Command add_stability(CLI::App& app) {
   const auto a = arguments_over<PlaneArguments>("speed.final", "balancer.drag", "512x512");
-  add_axes(app, *a, help::parameter_x, help::parameter_y, help::stability::size);
-  app.add_option("-o,--output", a->output, help::stability::output)->type_name("FILE");
-  add_forms(app, *a, {help::stability::csv, help::stability::plot, false});
+  add_parameters(app, *a, "points (default 512x512)");
+  app.add_option("-o,--output", a->output, "all points as NetCDF (.nc)")->type_name("FILE");
+  add_forms(
+      app, *a,
+      {"one line per point (.csv)", "a picture shaded by decay and growth, with the boundaries by their kind", false});
   add_usual(app, *a);
   return [a] { return run_plane(*a, "stability", nullptr, [](const Study&) { return StabilitySettings(); }); };
 }
 
 Command add_chart(CLI::App& app) {
   const auto a = arguments_over<ChartArguments>("speed.final", "balancer.drag", "64x64");
-  add_axes(app, *a, help::parameter_x, help::parameter_y, help::chart::size);
-  app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
-  app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
-  app.add_flag("--cycles", a->cycles, help::chart::cycles);
-  app.add_option("-o,--output", a->output, help::chart::output)->type_name("FILE");
-  add_forms(app, *a, {help::chart::csv, help::chart::plot, false});
+  add_parameters(app, *a, "points of the grid from which curves begin (default 64x64)");
+  app.add_option("--boxes", a->boxes, "most boxes that proofs may try (default 200000); 0: prove nothing")
+      ->type_name("N");
+  app.add_option("--undecided", a->undecided, "proofs end when no more of the plane than this is undecided (default 1)")
+      ->type_name("PERCENT");
+  app.add_flag("--cycles", a->cycles,
+               "also curves on which the cycles born on Hopf curves change; takes up to minutes");
+  app.add_option("-o,--output", a->output, "curves, points and boxes as NetCDF (.nc)")->type_name("FILE");
+  add_forms(app, *a, {"one line per point of a curve (.csv)", "a picture of curves, points and boxes", false});
   add_usual(app, *a);
   return [a] { return run_plane(*a, "stability", nullptr, [&](const Study&) { return chart_settings(*a); }); };
 }
 
 Command add_map(CLI::App& app) {
   const auto a = arguments_over<MapArguments>("initial.phi_1", "initial.phi_2", "512x512");
-  add_axes(app, *a, help::map::x, help::map::y, help::map::size);
-  app.add_option("--tie", a->ties, help::map::tie)->type_name("PHI_I=PHI_J+ANGLE")->take_all();
-  app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
-  add_forms(app, *a, {nullptr, help::map::plot});
+  add_axes(app, *a,
+           "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number, "
+           "and its range, e.g. initial.phi_1=-pi/2:pi/2 (default initial.phi_1; ball angles: a whole turn)",
+           "the same from bottom to top (default initial.phi_2)", "pixels (default 512x512)");
+  app.add_option("--tie", a->ties, "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated")
+      ->type_name("PHI_I=PHI_J+ANGLE")
+      ->take_all();
+  app.add_option("-o,--output", a->output,
+                 "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and "
+                 "reads what is there")
+      ->type_name("FILE");
+  add_forms(app, *a, {nullptr, "a picture, darker where decided later"});
   add_usual(app, *a);
   return [a] { return run_plane(*a, "map", kept_by_output, [&](const Study& s) { return map_settings(*a, s); }); };
 }

@@ -21,8 +21,6 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -145,14 +143,19 @@ int run_reproduce(ReproduceArguments& a) {
 
 Command add_reproduce(CLI::App& app) {
   const auto a = std::make_shared<ReproduceArguments>();
-  app.add_option("what", a->what, fmt::format(help::reproduce::what, fmt::join(reproducible(), ", ")))
+  app.add_option(
+         "what", a->what,
+         fmt::format("any of {} (default: all), separated by blanks or commas", fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
-  app.add_option("--starts", a->starts, help::reproduce::starts)->type_name("N");
-  app.add_option("--law", a->law, help::reproduce::law)->type_name("LAW");
-  app.add_option("--report", a->report, help::reproduce::report)->type_name("FILE.html");
-  app.add_option("--explorer", a->explorer, help::reproduce::explorer)->type_name("PAGE");
-  app.add_option("-o,--output", a->output, help::reproduce::output)->type_name("DIR");
-  app.add_option("--pixels", a->pixels, help::reproduce::pixels)->type_name("P");
+  app.add_option("--starts", a->starts, "starts per ensemble (default: as many as the paper used)")->type_name("N");
+  app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
+  app.add_option("--report", a->report, "one page with everything (HTML)")->type_name("FILE.html");
+  app.add_option("--explorer", a->explorer,
+                 "path of the explorer's page relative to the report, whose rows then link to their settings there")
+      ->type_name("PAGE");
+  app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
+      ->type_name("DIR");
+  app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");
   add_wide(app);
   add_computing(app, *a);
   add_json(app, a->json);

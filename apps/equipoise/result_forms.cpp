@@ -7,14 +7,16 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "options.hpp"
 #include "streams.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", forms.plot, words.plot)->type_name("FILE.svg");
-  if (words.page) app.add_option("--report", forms.report, help::report)->type_name("FILE.html");
+  if (words.page)
+    app.add_option("--report", forms.report,
+                   "the same as a page to take to a meeting: one file that needs nothing else")
+        ->type_name("FILE.html");
   add_json(app, forms.json);
 }
 

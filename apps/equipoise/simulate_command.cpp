@@ -15,7 +15,6 @@
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -122,13 +121,18 @@ int run_simulate(const SimulateArguments& a) {
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
   add_study(app, *a);
-  app.add_option("--at", a->at, help::simulate::at)->take_all()->type_name("T,T,...");
-  app.add_option("--every", a->every, help::simulate::every)->type_name("DT");
-  app.add_option("--until", a->until, help::simulate::until)->type_name("T");
-  app.add_option("--tolerance", a->tolerance, help::simulate::tolerance)->type_name("E");
-  app.add_option("-o,--output", a->output, help::simulate::output)->type_name("FILE");
+  app.add_option("--at", a->at, "times, separated by commas (in 1/omega_c, or with units: 2 s)")
+      ->take_all()
+      ->type_name("T,T,...");
+  app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
+  app.add_option("--until", a->until, "last time (the same)")->type_name("T");
+  app.add_option("--tolerance", a->tolerance, "relative error allowed per step (default 1e-12)")->type_name("E");
+  app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
+      ->type_name("FILE");
   add_within(app, a->within);
-  app.add_option("--set", a->overrides, help::simulate::set)->type_name("KEY=VALUE")->take_all();
+  app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   return [a] { return run_simulate(*a); };
 }
 

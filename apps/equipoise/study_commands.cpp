@@ -18,7 +18,6 @@
 #include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
-#include "help.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
@@ -90,8 +89,9 @@ Command add_check(CLI::App& app) {
 Command add_explain(CLI::App& app) {
   const auto a = std::make_shared<ExplainArguments>();
   add_study(app, *a);
-  app.add_flag("--cost", a->cost, help::explain::cost);
-  app.add_option("--within", a->within, help::explain::within)->type_name("TIME");
+  app.add_flag("--cost", a->cost,
+               "also how long basin takes, measured on a part of it: the search for attractors and the first starts");
+  app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
   add_wide(app);
   add_overrides(app, a->overrides);
   add_json(app, a->json);
@@ -100,10 +100,11 @@ Command add_explain(CLI::App& app) {
 
 Command add_new(CLI::App& app) {
   const auto a = std::make_shared<NewArguments>();
-  app.add_option("machine", a->machine, fmt::format(help::new_study::machine, fmt::join(new_machines(), ", ")))
+  app.add_option("machine", a->machine, fmt::format("one of: {}", fmt::join(new_machines(), ", ")))
       ->required()
       ->type_name("MACHINE");
-  app.add_option("-o,--output", a->output, help::new_study::output)->type_name("FILE.toml");
+  app.add_option("-o,--output", a->output, "write it here instead of to standard output; must be a new file")
+      ->type_name("FILE.toml");
   return [a] { return run_new(*a); };
 }
 
@@ -113,8 +114,10 @@ Command add_inspect(CLI::App& app) {
     bool json = false;
   };
   const auto a = std::make_shared<Arguments>();
-  app.add_option("file", a->file, help::inspect::file)->required()->type_name("FILE");
-  app.add_flag("--json", a->json, help::json);
+  app.add_option("file", a->file, "file of results (.nc), or the unfinished part of one (.nc.part)")
+      ->required()
+      ->type_name("FILE");
+  add_json(app, a->json);
   return [a]() -> int {
     const Inspection inspection = inspect_file(a->file);
     put(a->json ? inspection_json(inspection) : inspection_text(inspection));

@@ -25,8 +25,6 @@
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "team.hpp"
-#include "help.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -45,7 +43,8 @@ void put_sweep(const ResultForms& a, const SweepResult& result, const std::funct
                 [&] { return result_page(result, machine()); }});
 }
 
-constexpr FormWords sweep_words{help::sweep::csv, help::sweep::plot};
+constexpr FormWords sweep_words{"one line per cell and outcome (.csv)",
+                                "a picture: stacked shares along one parameter, a heat map over two"};
 
 // "2/8": the second of eight.
 void read_shard(const std::string& text, SweepOptions& options) {
@@ -66,8 +65,7 @@ void read_shard(const std::string& text, SweepOptions& options) {
 SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   CellRequest request;
   request.limit_given = a.starts.has_value();
-  if (a.half_width)
-    request.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, words::half_width_range);
+  if (a.half_width) request.half_width = half_width_option(*a.half_width);
   if (a.transients) request.transients = true;
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
@@ -125,7 +123,7 @@ int run_sweep(const SweepArguments& a) {
         fmt::format("shard {} is empty: the {} cells form {} block{} of up to {} cells, and a shard computes whole "
                     "blocks; {} all\n",
                     a.shard, plan->cells(), blocks, plural(blocks), SweepPlan::block_length,
-                    blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
+                    blocks == 1 ? "shard 1 has" : fmt::format("the first {} shards have", blocks)));
   ProgressLine progress(a.quiet, options);
   const SweepResult result = compute(team, *plan, a, options);
   progress.finish();
@@ -150,13 +148,25 @@ int run_merge(const MergeArguments& a) {
 Command add_sweep(CLI::App& app) {
   const auto a = std::make_shared<SweepArguments>();
   add_study(app, *a);
-  app.add_option("--over", a->over, help::sweep::over)->type_name("KEY=VALUES")->take_all();
-  app.add_flag("--zip", a->zip, help::zip);
-  add_starts(app, *a, help::sweep::starts, help::sweep::seed);
-  app.add_option("--half-width", a->half_width, help::sweep::half_width)->type_name("H");
-  app.add_flag("--transients", a->transients, help::sweep::transients);
-  app.add_option("-o,--output", a->output, help::sweep::output)->type_name("FILE");
-  app.add_option("--shard", a->shard, help::sweep::shard)->type_name("I/N");
+  app.add_option(
+         "--over", a->over,
+         "a parameter and its values, e.g. speed.final=1.5:6:0.1, balancer.drag=0.01,0.05,0.1, \"speed.final=900 "
+         "rpm:4000 rpm:100 rpm\"; up to three times (default: what [sweep] of the study says)")
+      ->type_name("KEY=VALUES")
+      ->take_all();
+  add_zip(app, a->zip);
+  add_starts(app, *a, "number of starts of every cell (with --half-width: at most so many)",
+             "seed of the starts, which are the same in every cell");
+  app.add_option("--half-width", a->half_width,
+                 "sample in every cell until every share's 95 % interval is within +- H (a fraction of one)")
+      ->type_name("H");
+  app.add_flag("--transients", a->transients,
+               "peak vibration and other transients (default where the study has [limits])");
+  app.add_option("-o,--output", a->output,
+                 "all cells as NetCDF (.nc), kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
+      ->type_name("I/N");
   add_forms(app, *a, sweep_words);
   add_usual(app, *a);
   return [a] { return run_sweep(*a); };
@@ -164,8 +174,10 @@ Command add_sweep(CLI::App& app) {
 
 Command add_merge(CLI::App& app) {
   const auto a = std::make_shared<MergeArguments>();
-  app.add_option("files", a->files, help::merge::files)->required()->type_name("FILE");
-  app.add_option("-o,--output", a->output, help::merge::output)->type_name("FILE")->required();
+  app.add_option("files", a->files, "files of one sweep (.nc), or unfinished parts of them (.nc.part)")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", a->output, "the merged file (.nc)")->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
   add_wide(app);
   return [a] { return run_merge(*a); };

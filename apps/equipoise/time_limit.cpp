@@ -8,7 +8,6 @@
 
 #include "equipoise/core/running/deadline.hpp"
 #include "streams.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -47,7 +46,9 @@ std::string going_on(Keeper keeper, const std::string& output) {
 }  // namespace
 
 void add_within(CLI::App& app, std::optional<std::string>& within) {
-  app.add_option("--within", within, help::within)->type_name("TIME");
+  app.add_option("--within", within,
+                 "stop after this time with what is known by then, marked partial: 90, 60s, 10min, 1.5h")
+      ->type_name("TIME");
 }
 
 void begin_time(const std::optional<std::string>& within) {

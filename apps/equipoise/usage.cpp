@@ -14,7 +14,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/report/text/table_text.hpp"
-#include "words.hpp"
 
 namespace equipoise::app {
 
