@@ -100,15 +100,9 @@ void check_chart_file(const std::string& path, const BifurcationChart& chart) {
 void write_stability_file(const std::string& path, const StabilityPlane& plane) {
   Dataset data("where balance is stable in a plane of two parameters");
   data.filled = false;
-  const std::size_t y = data.dimension("y", static_cast<std::size_t>(plane.y.pixels)),
-                    x = data.dimension("x", static_cast<std::size_t>(plane.x.pixels));
-  const auto add_axis = [&](const char* name, std::size_t along, const SliceAxis& a) {
-    data.add(name, "1", a.key, {along}, [&a](std::size_t k) { return a.centre(static_cast<int>(k)); });
-  };
-  add_axis("x", x, plane.x);
-  add_axis("y", y, plane.y);
+  const std::vector<std::size_t> along = io::add_axes(data, plane.x, plane.y);
   for (const PointNumber& n : point_numbers) {
-    DataColumn& column = data.add(n, {y, x}, [&](std::size_t k) { return n.value(plane.points[k]); });
+    DataColumn& column = data.add(n, along, [&](std::size_t k) { return n.value(plane.points[k]); });
     if (n.whole)
       column.type = DataColumn::Type::small;
     else

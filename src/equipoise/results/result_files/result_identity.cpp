@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,15 @@ std::vector<std::string> IdentityLines::over() const {
 
 std::string axis_text(const SliceAxis& axis) {
   return fmt::format("{} from {} to {} in {} pixels", axis.key, axis.low, axis.high, axis.pixels);
+}
+
+std::vector<std::size_t> add_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y) {
+  const std::size_t rows = data.dimension("y", static_cast<std::size_t>(y.pixels)),
+                    columns = data.dimension("x", static_cast<std::size_t>(x.pixels));
+  for (const auto& [name, along, axis] : {std::tuple{"x", columns, &x}, {"y", rows, &y}})
+    data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
+             [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
+  return {rows, columns};
 }
 
 void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y) {

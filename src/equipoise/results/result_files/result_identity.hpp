@@ -39,6 +39,8 @@ void require_same(const std::string& there, const std::string& here, const std::
 
 /// "speed.final from 1 to 3 in 200 pixels".
 std::string axis_text(const SliceAxis& axis);
+/// Dimensions y and x of a plane, with their coordinates; their places.
+std::vector<std::size_t> add_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y);
 /// Keys and ranges of a plane's axes as attributes.
 void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y);
 

@@ -2,7 +2,6 @@
 #include "equipoise/results/result_files/slice_file.hpp"
 
 #include <limits>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -69,12 +68,7 @@ Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeSh
                       const std::function<DataValues(std::size_t)>& values) {
   Dataset data("Where a rotor with an automatic ball balancer ends, over a plane");
   data.filled = false;
-  const std::size_t y = data.dimension("y", static_cast<std::size_t>(header.y.pixels));
-  const std::size_t x = data.dimension("x", static_cast<std::size_t>(header.x.pixels));
-  for (const auto& [name, along, axis] : {std::tuple{"x", x, &header.x}, {"y", y, &header.y}})
-    data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
-             [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
-  add_pixels(data, {y, x}, header, codes, values);
+  add_pixels(data, add_axes(data, header.x, header.y), header, codes, values);
   const std::size_t kind = add_outcome_kinds(data, "", codes);
   data.add("share", "1", "share of the map's pixels", {kind}, [&codes](std::size_t k) { return codes[k].share.share; });
   if (!discoveries.empty()) {
