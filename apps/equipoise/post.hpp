@@ -5,7 +5,6 @@
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
 
-#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <list>
@@ -28,7 +27,6 @@ class Post {
   bool step(const Answer& answer);
   /// Nobody here waits for answers any more.
   void close();
-  bool closed() const { return closed_; }
   /// Waits until everything has been sent.
   void see_off();
 
@@ -44,7 +42,7 @@ class Post {
   std::list<Sent> sent_;
   std::map<int, std::optional<Bytes>> answers_;  // by number; empty: not yet answered
   int next_ = 0;
-  std::atomic<bool> closed_{false};
+  bool closed_ = false;
 };
 
 }  // namespace equipoise::app

@@ -46,7 +46,6 @@ class Team {
 
   bool alone() const { return size_ == 1; }
   bool leads() const { return rank_ == 0; }
-  int size() const { return size_; }
 
   /// Of several processes on a machine each has a core of its own.
   int threads(const std::optional<std::string>& option) const { return option || alone() ? threads_option(option) : 1; }

@@ -166,12 +166,6 @@ void bind_model(py::module_& module) {
       .def_property_readonly("pieces", &pieces)
       .def_property_readonly("breakpoints", &StudyEquations::breakpoints)
       .def_property_readonly("release_time", &StudyEquations::release_time)
-      .def_property_readonly("release_speed", &StudyEquations::release_speed)
-      .def("release_distance",
-           [](const StudyEquations& e, const States& y) {
-             if (states_in(e, y) != 1) throw InputError("state", "", "", "must be one state");
-             return e.release_distance(y.data());
-           })
       .def("released_at", &StudyEquations::released_at)
       .def("initial_states", &initial_states, py::arg("starts") = py::none())
       .def("rhs",
