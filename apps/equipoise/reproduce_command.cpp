@@ -38,11 +38,8 @@ struct ReproduceArguments : CommonArguments {
 std::vector<std::string> split(const std::vector<std::string>& what) {
   std::vector<std::string> names;
   for (const std::string& list : what)
-    for (std::size_t begin = 0; begin <= list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      if (end > begin || list.empty()) names.push_back(list.substr(begin, end - begin));
-      begin = end + 1;
-    }
+    for (const std::string& name : parts_of(list))
+      if (!name.empty() || list.empty()) names.push_back(name);
   return names;
 }
 

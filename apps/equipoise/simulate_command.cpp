@@ -29,24 +29,13 @@ double time_option(const char* option, const std::string& text, const Study& stu
   return option_time(option, text, study, 0.0, last_output_time, "a number from 0 to 1e9");
 }
 
-// "T,T,..."
-std::vector<double> parse_times(const std::string& text, const Study& study) {
-  std::vector<double> times;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    times.push_back(time_option("--at", text.substr(at, comma - at), study));
-    at = comma + 1;
-  }
-  return times;
-}
-
 // --at, or the grid of --every and --until; by default a hundred intervals until 100 after the last piece begins.
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
   if (!a.at.empty()) {
     std::vector<double> times;
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
-      for (const double time : parse_times(text, study)) times.push_back(time);
+      for (const std::string& time : parts_of(text)) times.push_back(time_option("--at", time, study));
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
         throw InputError("--at", "", fmt::format("{}", times[i]),

@@ -113,10 +113,6 @@ std::optional<CurveEnd> FollowedCurve::end_at(const CurvePlace& before, const Cu
   return CurveEnd::no_pair;
 }
 
-void FollowedCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace&, Way& way) const {
-  way.end = CurveEnd::lost;
-}
-
 FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& towards, const StopFlag* stop) {
   Way way;
   stay_near(from);

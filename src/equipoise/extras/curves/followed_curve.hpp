@@ -68,8 +68,9 @@ class FollowedCurve {
   virtual bool too_far(const CurvePlace&, const CurvePlace&) const { return false; }
   /// Why a way ends before this place, if it does; it may get a last place there.
   virtual std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const;
-  /// Why a way ends inside the plane, which may have a last place there.
-  virtual void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const;
+  /// Why a way ends inside the plane, if that is known; it may get a last place there. Arguments: the last step, the
+  /// length that failed, the place before.
+  virtual void end_inside(const CurveFollower::Step&, double, const CurvePlace&, Way&) const {}
 
   using PlaceNumber = std::function<double(const CurvePlace&)>;
   /// Where a number that has different signs at two places is 0. Empty if it passes through infinity.
