@@ -55,6 +55,11 @@ FollowedCurve::FollowedCurve(const PlaneStudies& plane, CurveKind kind, const Ei
                 limits),
       most_(most) {}
 
+void FollowedCurve::stay_near(const CurvePlace& place) const {
+  like_ = {0.0, place.pair.product, {}};
+  if (place.right.size() > 0) row_ = place.right, column_ = place.left;
+}
+
 std::optional<CurvePlace> FollowedCurve::at_edge(const VectorXd& inside, const VectorXd& outside) const {
   double part = 1.0;
   Eigen::Index side = 0;
@@ -185,11 +190,10 @@ bool FollowedCurve::follow(const VectorXd& guess, const StopFlag* stop, const Kn
 void FollowedCurve::add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
   if (a.point.others == b.point.others) return;
   const auto place = located(a, b, [&](const CurvePlace& p) { return p.point.others != a.point.others; });
-  const auto at = place ? spectrum(place->at) : std::nullopt;
-  if (!at) return;
+  if (!place) return;
   const std::complex<double>* nearest = nullptr;
-  for (std::size_t i = 0; i < at->rates.size(); ++i) {
-    const auto& rate = at->rates[i];
+  for (std::size_t i = 0; i < place->point.rates.size(); ++i) {
+    const auto& rate = place->point.rates[i];
     if (i == place->pair.places[0] || i == place->pair.places[1]) continue;
     if (!nearest || std::fabs(rate.real()) < std::fabs(nearest->real())) nearest = &rate;
   }

@@ -54,12 +54,10 @@ class FollowedCurve {
   virtual std::optional<CurvePlace> described(const Eigen::VectorXd& at) const = 0;
   /// Why the place asked for last could not be described.
   virtual CurveEnd undescribed() const { return CurveEnd::lost; }
-  /// At a place of a curve of states at rest.
-  virtual std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd&) const { return std::nullopt; }
   /// What kind of point it is where a real eigenvalue of a Hopf curve is 0.
   virtual SpecialKind kind_at_zero(const CurvePlace&) const { return SpecialKind::zero_hopf; }
   /// The equations from here on are those near this place.
-  virtual void stay_near(const CurvePlace& place) const { like_ = {0.0, place.pair.product, {}}; }
+  virtual void stay_near(const CurvePlace& place) const;
   struct Way {
     std::vector<CurvePlace> places;
     CurveEnd end = CurveEnd::lost;
@@ -95,6 +93,7 @@ class FollowedCurve {
   const PlaneStudies& plane_;
   CurveKind kind_;
   mutable EigenPair like_;
+  mutable Eigen::VectorXd row_, column_;  ///< of a fold's bordered matrix
   CurveFollower follower_;
   std::vector<CurvePlace> places_;
   std::array<CurveEnd, 2> ends_{CurveEnd::lost, CurveEnd::lost};
@@ -133,7 +132,6 @@ class BalanceCurve : public FollowedCurve {
  private:
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
   std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
-  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const override { return plane_.spectrum(at); }
   void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const override;
   /// Where the curve meets the end of balance.
   std::optional<CurvePlace> at_balance_end(const CurvePlace& before) const;

@@ -105,29 +105,25 @@ std::optional<MatrixXd> LockedCurve::slopes(const VectorXd& at) const {
   return slope;
 }
 
-std::optional<BalanceSpectrum> LockedCurve::spectrum(const VectorXd& at) const {
-  const auto system = plane_.system(at);
-  return system ? std::optional(locked_spectrum(*system, symmetry_, state(at))) : std::nullopt;
-}
-
 std::optional<CurvePlace> LockedCurve::described(const VectorXd& at) const {
-  const auto here = spectrum(at);
-  if (!here) return std::nullopt;
+  const auto system = plane_.system(at);
+  if (!system) return std::nullopt;
+  const BalanceSpectrum here = locked_spectrum(*system, symmetry_, state(at));
   CurvePlace place = place_at(at);
-  put_state(*here, place.point);
-  if (kind_ == CurveKind::hopf) return put_pair(*here, place) ? std::optional(place) : std::nullopt;
+  put_state(here, place.point);
+  if (kind_ == CurveKind::hopf) return put_pair(here, place) ? std::optional(place) : std::nullopt;
   place.point.frequency = 0.0;
   const auto smaller = [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); };
   const auto zero =
-      static_cast<std::size_t>(std::min_element(here->rates.begin(), here->rates.end(), smaller) - here->rates.begin());
+      static_cast<std::size_t>(std::min_element(here.rates.begin(), here.rates.end(), smaller) - here.rates.begin());
   place.pair.places = {zero, zero};
-  place.point.others = unstable_besides(here->rates, place.pair);
+  place.point.others = unstable_besides(here.rates, place.pair);
   if (kind_ != CurveKind::fold) return place;
-  const Bordered b = bordered(symmetry_.reduced(here->jacobian), row_, column_);
+  const Bordered b = bordered(symmetry_.reduced(here.jacobian), row_, column_);
   place.right = b.right / b.right.norm();
   place.left = b.left / b.left.norm();
   place.double_zero = place.left.dot(place.right);
-  place.turn = bend(here->system, here->state, {symmetry_.whole(place.right), symmetry_.whole_left(place.left)},
+  place.turn = bend(here.system, here.state, {symmetry_.whole(place.right), symmetry_.whole_left(place.left)},
                     symmetry_.whole(place.right));
   return place;
 }
@@ -136,13 +132,6 @@ SpecialKind LockedCurve::kind_at_zero(const CurvePlace& place) const {
   const VectorXd z = state(place.at);
   const bool centred = z.head(2).norm() < 1e-6 * symmetry_.scale()[0];  // alike balls part there
   return centred ? SpecialKind::zero_hopf : SpecialKind::fold_hopf;
-}
-
-void LockedCurve::stay_near(const CurvePlace& place) const {
-  FollowedCurve::stay_near(place);
-  if (place.right.size() == 0) return;
-  row_ = place.right;
-  column_ = place.left;
 }
 
 bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopFlag* stop, const Known& known) {

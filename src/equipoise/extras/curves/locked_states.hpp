@@ -89,9 +89,7 @@ class LockedCurve : public FollowedCurve {
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
   std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const override;
   std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
-  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const override;
   SpecialKind kind_at_zero(const CurvePlace& place) const override;
-  void stay_near(const CurvePlace& place) const override;
 
   Eigen::VectorXd state(const Eigen::VectorXd& at) const;
   std::optional<double> test(const Eigen::MatrixXd& jacobian) const;
@@ -106,7 +104,6 @@ class LockedCurve : public FollowedCurve {
               const Eigen::VectorXd& along) const;
 
   LockedSymmetry symmetry_;
-  mutable Eigen::VectorXd row_, column_;  // c and b
 };
 
 }  // namespace equipoise

@@ -39,12 +39,16 @@ bool same_rates(const model::System& system) {
   return planes.size() <= 2;
 }
 
+int unstable_of(const std::vector<std::complex<double>>& rates) {
+  const auto grows = [](const std::complex<double>& rate) { return rate.real() > least_rate; };
+  return static_cast<int>(std::count_if(rates.begin(), rates.end(), grows));
+}
+
 void take_rates(const std::vector<std::complex<double>>& rates, BalancePoint& point) {
   const std::complex<double> slowest = rates.front();
   point.growth = slowest.real();
   point.frequency = std::fabs(slowest.imag());
-  point.unstable = static_cast<short>(
-      std::count_if(rates.begin(), rates.end(), [](const auto& rate) { return rate.real() > least_rate; }));
+  point.unstable = static_cast<short>(unstable_of(rates));
   point.kind = point.unstable > 0           ? BalanceKind::unstable
                : point.growth < -least_rate ? BalanceKind::stable
                                             : BalanceKind::marginal;
@@ -107,10 +111,7 @@ std::optional<ContinuumPart> continuum_at(const Study& study, const StopFlag* st
   return part.drawn > 0 ? std::optional(part) : std::nullopt;
 }
 
-int BalanceSpectrum::unstable() const {
-  return static_cast<int>(
-      std::count_if(rates.begin(), rates.end(), [](const auto& rate) { return rate.real() > least_rate; }));
-}
+int BalanceSpectrum::unstable() const { return unstable_of(rates); }
 
 std::optional<BalanceSpectrum> balance_spectrum(const Study& study) {
   const model::System given = study.system();
