@@ -16,33 +16,33 @@ namespace equipoise::python {
 
 namespace {
 
-/// The axes of a map or a plane, each as Python gives it: key, range as text (empty: a whole turn), pixels.
-template <class Settings>
-void set_axes(const Study& study, const py::tuple& x, const py::tuple& y, Settings& how) {
+// What `compute` makes of a plane. Axes are as Python gives them: key, range as text (empty: a whole turn), pixels;
+// what is wrong with them is named as Python has it.
+template <class Settings, class Compute>
+auto over_plane(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::string& output,
+                const py::dict& settings, const Settings& given, const char* made, StudySource source,
+                const Compute& compute) {
+  const Study study = with_medians(s.study);
+  CallWith<Settings> call(settings, given);
+  Settings& how = call.options;
   const int columns = x[2].cast<int>(), rows = y[2].cast<int>();
   map_size(std::to_string(columns) + "x" + std::to_string(rows), "size");
   how.x = slice_axis(study, x[0].cast<std::string>(), x[1].cast<std::string>(), columns, "x_range");
   how.y = slice_axis(study, y[0].cast<std::string>(), y[1].cast<std::string>(), rows, "y_range");
-}
-
-// What `compute` makes of a plane with these settings; what is wrong with its axes is named as Python has it.
-template <class Settings, class Compute>
-auto over_axes(CallWith<Settings>& call, const char* made, StudySource source, const Compute& compute) {
+  how.output = output;
   try {
-    return call.keep([&] { return compute(call.options); }, std::move(source));
+    return call.keep([&] { return compute(study, how); }, std::move(source));
   } catch (const InputError& e) {
-    throw under_names(e, call.options.x, call.options.y, {"x", "y", "size", made});
+    throw under_names(e, how.x, how.y, {"x", "y", "size", made});
   }
 }
 
 Kept<BasinSlice> draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y,
                           const std::vector<std::string>& ties, const std::string& output, const py::dict& settings) {
-  const Study study = with_medians(s.study);
-  CallWith<BasinSliceSettings> call(settings);
-  set_axes(study, x, y, call.options);
-  for (const std::string& tie : ties) call.options.links.push_back(angle_link(tie, "tie"));
-  call.options.output = output;
-  return over_axes(call, "map", s.source, [&](const auto& how) { return basin_slice(study, how); });
+  BasinSliceSettings given;
+  for (const std::string& tie : ties) given.links.push_back(angle_link(tie, "tie"));
+  return over_plane(s, x, y, output, settings, given, "map", s.source,
+                    [](const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); });
 }
 
 // What all planes have.
@@ -90,11 +90,8 @@ py::dict summary_of_map(const BasinSlice& map) {
 
 Kept<StabilityPlane> look_at_balance(const PyStudy& s, const py::tuple& x, const py::tuple& y,
                                      const std::string& output, const py::dict& settings) {
-  const Study study = with_medians(s.study);
-  CallWith<StabilitySettings> call(settings);
-  set_axes(study, x, y, call.options);
-  call.options.output = output;
-  return over_axes(call, "stability", {}, [&](const auto& how) { return stability(study, how); });
+  return over_plane(s, x, y, output, settings, StabilitySettings(), "stability", {},
+                    [](const Study& study, const StabilitySettings& how) { return stability(study, how); });
 }
 
 py::dict arrays_of_stability(const StabilityPlane& plane) {
@@ -125,14 +122,12 @@ py::dict summary_of_stability(const StabilityPlane& plane) {
 
 Kept<BifurcationChart> draw_chart(const PyStudy& s, const py::tuple& x, const py::tuple& y, std::uint64_t boxes,
                                   double undecided, bool cycles, const std::string& output, const py::dict& settings) {
-  const Study study = with_medians(s.study);
-  CallWith<ChartSettings> call(settings);
-  set_axes(study, x, y, call.options);
-  call.options.boxes = boxes;
-  call.options.undecided = 0.01 * undecided;
-  call.options.cycles = cycles;
-  call.options.output = output;
-  return over_axes(call, "chart", {}, [&](const auto& how) { return bifurcation_chart(study, how); });
+  ChartSettings given;
+  given.boxes = boxes;
+  given.undecided = 0.01 * undecided;
+  given.cycles = cycles;
+  return over_plane(s, x, y, output, settings, given, "chart", {},
+                    [](const Study& study, const ChartSettings& how) { return bifurcation_chart(study, how); });
 }
 
 }  // namespace
