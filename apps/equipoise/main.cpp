@@ -6,6 +6,7 @@
 #include <ctime>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -107,7 +108,12 @@ int run(int given, char** arguments) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
+    if (e.get_exit_code() == 0) {
+      std::ostringstream text;
+      const int code = app.exit(e, text, text);
+      put(text.str());
+      return code;
+    }
     say(usage_error(app, e, argc, argv));
     return bad_input;
   }

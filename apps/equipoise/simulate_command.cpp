@@ -1,6 +1,5 @@
 // equipoise simulate: one trajectory at stated times.
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,9 +80,9 @@ int run_simulate(const SimulateArguments& a) {
   options.stop = &stop_flag();
   const Trajectory trajectory = simulate(study, times, options);
   if (a.output.empty()) {
-    write_csv(std::cout, trajectory);
+    put(trajectory_csv(trajectory));
   } else if (a.output.ends_with(".csv")) {
-    write_csv_file(a.output, trajectory);
+    write_file(a.output, trajectory_csv(trajectory));
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }

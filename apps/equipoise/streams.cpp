@@ -1,13 +1,10 @@
 // Errors of standard output are kept until the end; those of standard error are ignored.
 #include "streams.hpp"
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <iostream>
-#include <streambuf>
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
@@ -22,37 +19,10 @@ namespace {
 // Of the first write that failed.
 int output_error = 0;
 
-// Receives what the library and the option parser write to streams.
-class OutputBuffer : public std::streambuf {
- public:
-  OutputBuffer() { setp(block_.data(), block_.data() + block_.size()); }
-
- protected:
-  int_type overflow(int_type c) override {
-    sync();
-    if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
-    return traits_type::not_eof(c);
-  }
-  int sync() override {
-    put({pbase(), pptr()});
-    setp(block_.data(), block_.data() + block_.size());
-    return 0;
-  }
-
- private:
-  std::array<char, 65536> block_;
-};
-
-OutputBuffer& output_buffer() {
-  static OutputBuffer buffer;
-  return buffer;
-}
-
 }  // namespace
 
 void claim_streams() {
   std::signal(SIGPIPE, SIG_IGN);
-  std::cout.rdbuf(&output_buffer());
   // open() takes the lowest free descriptor. Standard input's is opened for writing and standard output's for reading,
   // so that using them fails as on closed streams. Standard error's swallows its text.
   const int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
@@ -84,8 +54,6 @@ std::size_t terminal_width() {
 }
 
 int close_output(int code) {
-  std::cout.flush();
-  std::cout.rdbuf(nullptr);  // it is flushed again when the program ends, after its buffer is gone
   errno = 0;
   const bool lost = std::ferror(stdout) != 0;
   const bool closed = std::fclose(stdout) == 0;

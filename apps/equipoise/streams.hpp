@@ -10,7 +10,7 @@
 namespace equipoise::app {
 
 /// Call this first: it ignores SIGPIPE and occupies the descriptors of closed standard streams: no file opened later
-/// gets one of them. Writing to a closed standard output fails. Output to std::cout goes through put().
+/// gets one of them. Writing to a closed standard output fails.
 void claim_streams();
 
 /// Writes to standard output. close_output() reports errors; after one, nothing more is written.

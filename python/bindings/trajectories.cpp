@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "convert.hpp"
+#include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 
@@ -51,7 +52,7 @@ Trajectory from_dict(const py::dict& columns) {
 void save(const py::dict& columns, const PyStudy& s, const std::string& path) {
   const Trajectory run = from_dict(columns);
   if (path.ends_with(".csv"))
-    write_csv_file(path, run);
+    io::write_whole(path, trajectory_csv(run));
   else
     write_netcdf(path, run, to_toml(with_medians(s.study)));
 }

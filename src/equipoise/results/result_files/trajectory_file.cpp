@@ -1,52 +1,33 @@
 // Trajectories as CSV and NetCDF.
 #include "equipoise/results/result_files/trajectory_file.hpp"
 
-#include <cerrno>
-#include <fstream>
 #include <iterator>
-#include <ostream>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
-#include "equipoise/results/io/replacement.hpp"
 
 namespace equipoise {
 
-void write_csv(std::ostream& out, const Trajectory& r) {
-  fmt::memory_buffer line;
-  const auto append = [&line]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
-    fmt::format_to(std::back_inserter(line), format, std::forward<Parts>(parts)...);
+std::string trajectory_csv(const Trajectory& r) {
+  std::string text;
+  const auto append = [&text]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Parts>(parts)...);
   };
   const auto cells = [&](const auto& one, const auto& of_each) {
     for (const TrajectoryColumn& c : trajectory_columns) {
       if (c.values && c.is_in(r)) one(c);
       for (std::size_t i = 0; c.each && i < (r.*c.each).size(); ++i) of_each(c, i);
     }
-    line.resize(line.size() - 1);  // the last comma
-    append("\n");
+    text.back() = '\n';  // instead of the last comma
   };
   cells([&](const auto& c) { append("{},", c.name); },
         [&](const auto& c, std::size_t i) { append("{}_{},", c.name, i + 1); });
-  for (std::size_t k = 0; k < r.t.size(); ++k) {
+  for (std::size_t k = 0; k < r.t.size(); ++k)
     cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
           [&](const auto& c, std::size_t i) { append("{},", (r.*c.each)[i][k]); });
-    out.write(line.data(), static_cast<std::streamsize>(line.size()));
-    line.clear();
-  }
-  out.write(line.data(), static_cast<std::streamsize>(line.size()));  // only the header, if there were no rows
-}
-
-void write_csv_file(const std::string& path, const Trajectory& trajectory) {
-  io::Replacement place(path);
-  errno = 0;
-  std::ofstream file(place.file(), std::ios::binary);
-  write_csv(file, trajectory);
-  file.close();
-  if (!file) throw RunError(path + ": cannot be written: " + io::error_text(errno));
-  place.commit();
+  return text;
 }
 
 void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {

@@ -1,7 +1,6 @@
 // One trajectory as CSV and as NetCDF.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
 #include "equipoise/results/commands/trajectory.hpp"
@@ -10,10 +9,7 @@ namespace equipoise {
 
 /// The trajectory_columns, of every ball phi_1 and so on; every number in the shortest form that reads back to the same
 /// bits.
-void write_csv(std::ostream& out, const Trajectory& trajectory);
-
-/// The same to a file, replaced once everything is written. Throws RunError if it cannot be written.
-void write_csv_file(const std::string& path, const Trajectory& trajectory);
+std::string trajectory_csv(const Trajectory& trajectory);
 
 /// The same as NetCDF with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.
 /// Throws RunError if it cannot be written.
