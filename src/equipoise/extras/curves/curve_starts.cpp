@@ -155,7 +155,7 @@ void ChartSearch::add_curve(CurveKind kind, const std::string& of, const Followe
   ChartCurve found{kind, of, {}, curve.ends(), curve.error()};
   for (const CurvePlace& p : curve.places()) found.points.push_back(p.point);
   const double same = is_of_cycles(kind) ? 1e-6 : 1e-7;
-  const auto known = [&](const SpecialPoint& point) {
+  const auto met = [&](const SpecialPoint& point) {
     const VectorXd at = plane_.place(point.x, point.y);
     return std::any_of(chart_.specials.begin(), chart_.specials.end(), [&](const SpecialPoint& other) {
       const ChartCurve& its = chart_.curves[other.curve];
@@ -166,7 +166,7 @@ void ChartSearch::add_curve(CurveKind kind, const std::string& of, const Followe
   chart_.curves.push_back(std::move(found));
   for (SpecialPoint special : curve.specials()) {
     special.curve = chart_.curves.size() - 1;
-    if (!known(special)) chart_.specials.push_back(std::move(special));
+    if (!met(special)) chart_.specials.push_back(std::move(special));
   }
 }
 

@@ -22,6 +22,10 @@ class ChartSearch {
   /// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two curves of
   /// cycles, have different frequencies.
   bool is_known(CurveKind kind, const std::string& of, const Eigen::VectorXd& at, double frequency) const;
+  /// The same of a place of a curve that is being followed.
+  FollowedCurve::Known known(CurveKind kind, const std::string& of) const {
+    return [=, this](const CurvePlace& p) { return is_known(kind, of, p.at.head(2), p.point.frequency); };
+  }
   /// With its special points, of which two curves may each have the same.
   void add_curve(CurveKind kind, const std::string& of, const FollowedCurve& curve);
   /// look(column, row, next column, next row) for all neighbours of the grid, until it is stopped.

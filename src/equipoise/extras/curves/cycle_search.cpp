@@ -117,12 +117,9 @@ class CycleSearch : ChartSearch {
     const auto system = plane_.system(crossing.near.at);
     if (!system) return;
     const CurveKind kind = crossing.change;
-    const auto known = [&](const VectorXd& at, double frequency) { return is_known(kind, of, at, frequency); };
-    if (known(crossing.near.at, two_pi / crossing.near.shape.period)) return;
+    if (is_known(kind, of, crossing.near.at, two_pi / crossing.near.shape.period)) return;
     CycleCurve curve(plane_, *system, crossing);
-    if (!curve.follow_from(crossing, stop_,
-                           [&](const CurvePlace& p) { return known(p.at.head(2), p.point.frequency); }))
-      return;
+    if (!curve.follow_from(crossing, stop_, known(kind, of))) return;
     add_curve(kind, of, curve);
     ChartCurve& found = chart_.curves.back();
     if (found.ends[0] == CurveEnd::vanishes)

@@ -150,15 +150,10 @@ class LockedSearch : ChartSearch {
   void follow(CurveKind curve_kind, std::size_t kind, const VectorXd& at, const VectorXd& state,
               const EigenPair& pair) {
     const std::string& of = kinds_[kind].name;
-    const auto known = [&](const VectorXd& place, double frequency) {
-      return is_known(curve_kind, of, place, frequency);
-    };
-    if (known(at, std::sqrt(std::max(0.0, pair.product)))) return;
+    if (is_known(curve_kind, of, at, std::sqrt(std::max(0.0, pair.product)))) return;
     LockedCurve curve(plane_, curve_kind, kinds_[kind], middle_, pair);
     // A motor's states may be missed beside a fold: the curve that is found may then be farther away.
-    if (curve.follow_from(at, state, stop_,
-                          [&](const CurvePlace& place) { return known(place.at.head(2), place.point.frequency); }))
-      add_curve(curve_kind, of, curve);
+    if (curve.follow_from(at, state, stop_, known(curve_kind, of))) add_curve(curve_kind, of, curve);
   }
 
   int threads_;
