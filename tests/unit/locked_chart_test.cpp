@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
