@@ -23,22 +23,16 @@ std::optional<std::array<double, 2>> shares(double sum, const std::array<double,
   return std::array<double, 2>{std::fmax(of_a, 0.0), std::fmax(of_b, 0.0)};
 }
 
-// Of supports in one direction, [k11, k12; k12, k22].
-using Sums = std::array<double, 3>;
-
 bool make(const std::vector<Bearing>& bearings, std::array<double, 2> Bearing::*part, std::size_t direction,
-          const Sums& wanted) {
+          const SupportMatrix& wanted) {
   constexpr double as_typed = 1e-6;
-  Sums sum{}, size{};
+  SupportMatrix sum, size;
   for (const Bearing& b : bearings) {
-    double term = (b.*part)[direction];
-    for (std::size_t k = 0; k < sum.size(); ++k, term *= b.at) {
-      sum[k] += term;
-      size[k] += std::fabs(term);
-    }
+    sum.add((b.*part)[direction], b.at);
+    size.add(std::fabs((b.*part)[direction]), std::fabs(b.at));
   }
-  for (std::size_t k = 0; k < sum.size(); ++k)
-    if (!(std::fabs(sum[k] - wanted[k]) <= as_typed * size[k])) return false;
+  for (const auto k : {&SupportMatrix::centre, &SupportMatrix::across, &SupportMatrix::tilt})
+    if (!(std::fabs(sum.*k - wanted.*k) <= as_typed * size.*k)) return false;
   return true;
 }
 

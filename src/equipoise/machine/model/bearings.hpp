@@ -18,6 +18,20 @@ struct Bearing {
   std::array<double, 2> stiffness{}, damping{};
 };
 
+/// Stiffness or damping of all supports in one direction, [k11, k12; k12, k22] of centre and slope.
+struct SupportMatrix {
+  double centre = 0.0, across = 0.0, tilt = 0.0;
+
+  void add(double size, double at) {
+    centre += size;
+    across += size * at;
+    tilt += size * at * at;
+  }
+  double determinant() const { return centre * tilt - across * across; }
+  /// Supports at a single place, whose sums and moments are rounded, have a determinant of zero.
+  double rounding() const { return 1e-12 * centre * tilt; }
+};
+
 /// The bearings at these two places along the shaft, if they are all that holds the rotor: two springs at known places
 /// follow from what they sum up to. Empty if stiffness or damping is not that of two bearings there.
 std::vector<Bearing> two_bearings(const Parameters& p, const std::array<double, 2>& places);

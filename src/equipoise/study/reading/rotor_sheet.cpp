@@ -20,20 +20,7 @@ namespace {
 // What is smaller than this, relative to what it is a sum of, is rounding.
 constexpr double nothing = 1e-12;
 
-// One [k11, k12; k12, k22] of springs or dampers.
-struct SupportSums {
-  double centre = 0.0, across = 0.0, tilt = 0.0;
-
-  void add(double size, double at) {
-    centre += size;
-    across += size * at;
-    tilt += size * at * at;
-  }
-  // Springs at one place alone, or none, hold no tilt.
-  bool holds() const { return centre * tilt - across * across > nothing * centre * tilt; }
-};
-
-using Supports = std::array<SupportSums, 2>;  // in X and Y
+using Supports = std::array<model::SupportMatrix, 2>;  // in X and Y
 
 Supports sum_of(const std::vector<model::Bearing>& bearings, std::array<double, 2> model::Bearing::*member) {
   Supports sums;
@@ -214,8 +201,8 @@ double put_stiffness(const Study& machine, Study& study, const Refuse& refuse) {
   std::array<double, 2>& k = study.parameters.stiffness;
   if (!d.bearings.empty()) {
     const Supports springs = sum_of(d.bearings, &model::Bearing::stiffness);
-    for (const SupportSums& s : springs)
-      if (!s.holds())
+    for (const model::SupportMatrix& s : springs)
+      if (!(s.determinant() > s.rounding()))
         refuse("rotor.tilt.bearings",
                "must have a stiffness greater than 0 at two places at least, in x and in y: one place holds no tilt");
     k = {springs[0].centre, springs[1].centre};

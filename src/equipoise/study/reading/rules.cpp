@@ -20,19 +20,10 @@ namespace {
 constexpr char not_the_supports[] =
     "must add up, with its moments about the centre of mass, to rotor.{0} and rotor.tilt.{0}";
 
-// Stiffness or damping of a rotor that tilts, in one direction: [k11, k12; k12, k22].
-struct SupportMatrix {
-  double centre, across, tilt;
-
-  double determinant() const { return centre * tilt - across * across; }
-  // Supports at a single place, whose sums and moments are rounded, have a determinant of zero.
-  double rounding() const { return 1e-12 * centre * tilt; }
-};
-
 void check_supports(const model::Parameters& p, const Refuse& refuse) {
   const model::Tilt& t = p.tilt;
   for (const std::size_t d : {0, 1}) {
-    const SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
+    const model::SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
         dampers{p.damping[d], t.damping[d][0], t.damping[d][1]};
     if (!(springs.tilt > 0.0) || !(springs.determinant() > springs.rounding()))
       refuse("rotor.tilt.stiffness",
