@@ -10,6 +10,9 @@ namespace equipoise {
 /// Of ASCII; other letters stay.
 std::string in_small_letters(std::string_view text);
 
+/// Whether `names`, which blanks separate, hold `name`.
+bool is_among(std::string_view names, std::string_view name);
+
 /// Edits that make one text of the other: a letter more, less or another, or two neighbours that changed places.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();  ///< where there is none
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();  ///< for a number that is missing
 
 struct Column {
   const char* name;                                          ///< in files, JSON and arrays

@@ -133,59 +133,44 @@ Names names_in(const StudyFile& file, const KeyTable& table, bool physical) {
   return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
 }
 
-// A common name for a thing that has another name here.
-struct OtherName {
-  std::string_view said, name;
+// A thing here, and common names for it.
+struct OtherNames {
+  std::string_view name, said;
 };
-constexpr auto other_names = std::to_array<OtherName>({{"ball_count", "balls"},
-                                                       {"number_of_balls", "balls"},
-                                                       {"n_balls", "balls"},
-                                                       {"count", "balls"},
-                                                       {"ball_mass", "mass"},
-                                                       {"ball_drag", "drag"},
-                                                       {"damping_coefficient", "drag"},
-                                                       {"viscosity", "oil_viscosity"},
-                                                       {"radius", "race_radius"},
-                                                       {"diameter", "ball_diameter"},
-                                                       {"density", "ball_density"},
-                                                       {"ball_size", "ball_diameter"},
-                                                       {"friction", "rolling"},
-                                                       {"critical_speed", "natural_frequency"},
-                                                       {"natural_frequency", "stiffness"},
-                                                       {"critical_speed", "stiffness"},
-                                                       {"sag", "static_sag"},
-                                                       {"decrement", "logarithmic_decrement"},
-                                                       {"log_decrement", "logarithmic_decrement"},
-                                                       {"q_factor", "quality_factor"},
-                                                       {"eta", "loss_factor"},
-                                                       {"loss_coefficient", "loss_factor"},
-                                                       {"pitch_diameter", "race_diameter"},
-                                                       {"grade", "balance_grade"},
-                                                       {"gyration_radius", "radius_of_gyration"},
-                                                       {"gd", "gd2"},
-                                                       {"material", "ball_material"},
-                                                       {"places", "place"},
-                                                       {"spring", "stiffness"},
-                                                       {"k", "stiffness"},
-                                                       {"m", "mass"},
-                                                       {"c", "damping"},
-                                                       {"zeta", "damping_ratio"},
-                                                       {"zeta", "damping"},
-                                                       {"damping_factor", "damping_ratio"},
-                                                       {"damping_ratio", "damping"},
-                                                       {"imbalance", "unbalance"},
-                                                       {"imbalance", "eccentricity"},
-                                                       {"unbalance", "eccentricity"},
-                                                       {"offset", "eccentricity"},
-                                                       {"moment_of_inertia", "inertia"},
-                                                       {"speed", "final"},
-                                                       {"final_speed", "final"},
-                                                       {"final", "speed"},
-                                                       {"start", "initial"},
-                                                       {"time", "duration"},
-                                                       {"free_speed", "no_load_speed"},
-                                                       {"stall_torque", "stall"},
-                                                       {"balls", "balancer"}});
+constexpr auto other_names = std::to_array<OtherNames>({
+    {"balls", "ball_count number_of_balls n_balls count"},
+    {"mass", "ball_mass m"},
+    {"drag", "ball_drag damping_coefficient"},
+    {"oil_viscosity", "viscosity"},
+    {"race_radius", "radius"},
+    {"ball_diameter", "diameter ball_size"},
+    {"ball_density", "density"},
+    {"rolling", "friction"},
+    {"natural_frequency", "critical_speed"},
+    {"stiffness", "natural_frequency critical_speed spring k"},
+    {"static_sag", "sag"},
+    {"logarithmic_decrement", "decrement log_decrement"},
+    {"quality_factor", "q_factor"},
+    {"loss_factor", "eta loss_coefficient"},
+    {"race_diameter", "pitch_diameter"},
+    {"balance_grade", "grade"},
+    {"radius_of_gyration", "gyration_radius"},
+    {"gd2", "gd"},
+    {"ball_material", "material"},
+    {"place", "places"},
+    {"damping_ratio", "zeta damping_factor"},
+    {"damping", "c zeta damping_ratio"},
+    {"unbalance", "imbalance"},
+    {"eccentricity", "imbalance unbalance offset"},
+    {"inertia", "moment_of_inertia"},
+    {"final", "speed final_speed"},
+    {"speed", "final"},
+    {"initial", "start"},
+    {"duration", "time"},
+    {"no_load_speed", "free_speed"},
+    {"stall", "stall_torque"},
+    {"balancer", "balls"},
+});
 
 bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -203,8 +188,8 @@ std::string meant(std::string_view key, const Names& known) {
     return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
   });
   if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
-  for (const auto& [said, name] : other_names)
-    if (key == said && holds(known, name)) return std::string(name);
+  for (const auto& [name, said] : other_names)
+    if (is_among(said, key) && holds(known, name)) return std::string(name);
   for (const std::string& name : known)
     if (extends(key, name) || extends(name, key)) return name;
   return "";

@@ -33,9 +33,9 @@ struct KeyReading {
   void operator()(double* v) const { *v = reader.number(key.name, wanted); }
   void operator()(std::optional<double>* v) const { *v = reader.number(key.name, wanted); }
   void operator()(std::vector<double>* v) const { *v = reader.numbers(key.name, wanted); }
-  void operator()(std::string* v) const { *v = reader.text(key.name).value_or(""); }
+  void operator()(std::string* v) const { *v = reader.text(key.name); }
   void operator()(std::vector<std::string>* v) const { *v = reader.texts(key.name); }
-  void operator()(bool* v) const { *v = reader.flag(key.name, *v); }
+  void operator()(bool* v) const { *v = reader.flag(key.name); }
   void operator()(std::array<double, 2>* v) const {
     put(key.has(Key::pair) && !reader.physical() ? two(reader, key.name, "[x, y]")
                                                  : reader.one_or_each(key.name, wanted, 2, "direction (x, y)"),

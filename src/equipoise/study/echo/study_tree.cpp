@@ -68,16 +68,14 @@ StudyValue tree_with_medians(const Study& study, bool physical = false) {
 
 // Updates what may have changed since the study was read: sampling and numerical settings.
 void update_written(const Study& study, StudyValue& tree) {
-  for (const char* table : {"sampling", "numerics"})
-    if (!tree.find(table)) tree.set(table, {});
-  StudyValue &sampling = *tree.find("sampling"), &numerics = *tree.find("numerics");
-  const StudyValue now = table_of("sampling", study), followed = table_of("numerics", study);
-  for (const char* key : {"starts", "seed", "method"}) sampling.set(key, *now.find(key));
-  for (const char* key : {"tolerance", "decide"})
-    if (const StudyValue* value = followed.find(key)) numerics.set(key, *value);
-  const std::optional<double> horizon = study.numerics.horizon;
-  if (horizon && horizon != study.uncertain.horizon)
-    numerics.set("horizon", quantity_text(*horizon * study.scales->time(), Dimension::time));
+  const bool same_horizon = study.numerics.horizon == study.uncertain.horizon;  // it stays as it was written
+  for (const char* name : {"sampling", "numerics"}) {
+    StudyValue* table = tree.find(name);
+    if (!table) table = &tree.set(name, {});
+    const StudyValue now = table_of(name, study, true);
+    for (const auto& [key, value] : *now.table())
+      if (key != "horizon" || !same_horizon) table->set(key, value);
+  }
 }
 
 // Keys in a reader's order, so that the text does not depend on their order in the source.

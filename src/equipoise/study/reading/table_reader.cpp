@@ -308,18 +308,16 @@ void TableReader::fail_among(const std::string& key, const std::vector<std::stri
        fmt::format("{}{}must be one of: {}", wrong, given ? did_you_mean(*given, names) : "", fmt::join(names, ", ")));
 }
 
-std::optional<std::string> TableReader::text(const std::string& key) {
-  const StudyValue* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->string()) fail(key, fmt::format("is {}; must be a text in quotes", kind(*value)));
-  return *value->string();
+std::string TableReader::text(const std::string& key) {
+  const StudyValue& value = require(key, "a text in quotes");
+  if (!value.string()) fail(key, fmt::format("is {}; must be a text in quotes", kind(value)));
+  return *value.string();
 }
 
-bool TableReader::flag(const std::string& key, bool fallback) {
-  const StudyValue* value = find(key);
-  if (!value) return fallback;
-  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
-  return *value->boolean();
+bool TableReader::flag(const std::string& key) {
+  const StudyValue& value = require(key, "true or false");
+  if (!value.boolean()) fail(key, fmt::format("is {}; must be true or false", kind(value)));
+  return *value.boolean();
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, const Wanted& wanted) {

@@ -67,7 +67,7 @@ struct StudyFile {
   StudyValue root;  ///< a table
   std::string name;
   std::set<std::string> overridden;         ///< dotted keys given by --set
-  std::map<std::string, StudyValue> taken;  ///< by dotted key, what is read where `root` has a distribution
+  std::map<std::string, StudyValue> taken;  ///< medians of the distributions in `root`, by dotted key
   bool physical = false;  ///< a study in physical units: numbers of keys with a dimension are quantities
 
   Place where(const std::string& dotted_key, const StudyValue* value) const;
@@ -114,8 +114,8 @@ class TableReader {
                      std::optional<Enumeration> fallback = std::nullopt) {
     return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
   }
-  bool flag(const std::string& key, bool fallback);
-  std::optional<std::string> text(const std::string& key);
+  bool flag(const std::string& key);
+  std::string text(const std::string& key);
   std::vector<double> numbers(const std::string& key, const Wanted& wanted);
   /// An array of strings; empty if absent.
   std::vector<std::string> texts(const std::string& key);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "equipoise/core/base/angles.hpp"
@@ -22,11 +23,6 @@ struct NamedUnit {
   std::string_view names;  // between blanks
   TableUnit unit;
   Form form;
-
-  bool has(std::string_view name) const {
-    return is_among(names, name) ||
-           (form == Form::word && name.ends_with('s') && is_among(names, name.substr(0, name.size() - 1)));
-  }
 };
 
 constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0, 0, 0, 1, 0}, radian{1.0, 0, 0, 0, 1},
@@ -134,9 +130,24 @@ constexpr std::array<Prefix, 14> prefixes{{{"k", "kilo", 1e3},
                                            {"p", "pico", 1e-12},
                                            {"T", "tera", 1e12}}};
 
+using UnitsByName = std::map<std::string_view, const NamedUnit*>;
+
+UnitsByName by_name() {
+  UnitsByName all;
+  for (const NamedUnit& unit : units)
+    for (std::string_view rest = unit.names; !rest.empty();) {
+      const std::string_view name = rest.substr(0, rest.find(' '));
+      all.emplace(name, &unit);
+      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+    }
+  return all;
+}
+
 const NamedUnit* find_unit(std::string_view name) {
-  const auto found = std::find_if(units.begin(), units.end(), [&](const NamedUnit& u) { return u.has(name); });
-  return found == units.end() ? nullptr : &*found;
+  static const UnitsByName all = by_name();
+  if (const auto found = all.find(name); found != all.end()) return found->second;
+  const auto one = name.ends_with('s') ? all.find(name.substr(0, name.size() - 1)) : all.end();
+  return one != all.end() && one->second->form == Form::word ? one->second : nullptr;
 }
 
 std::optional<TableUnit> named(std::string_view name) {
@@ -200,8 +211,7 @@ std::string in_plain_signs(std::string_view text) {
   return std::string(trimmed(plain));
 }
 
-// Reads the text of `into`. Its functions return nothing where the text has another form; units that are not known
-// count as 1.
+// Reads the text of `into`. Its functions return nothing if the text has another form. Unknown units count as 1.
 class UnitReader {
  public:
   explicit UnitReader(UnitText& into) : into_(into), text_(into.text) {}
@@ -297,15 +307,6 @@ class UnitReader {
 };
 
 }  // namespace
-
-bool is_among(std::string_view names, std::string_view name) {
-  if (name.empty() || name.find(' ') != std::string_view::npos) return false;
-  for (std::size_t at = 0; (at = names.find(name, at)) != std::string_view::npos; ++at) {
-    const std::size_t end = at + name.size();
-    if ((at == 0 || names[at - 1] == ' ') && (end == names.size() || names[end] == ' ')) return true;
-  }
-  return false;
-}
 
 UnitText::UnitText(std::string_view given) : text(in_plain_signs(given)) { UnitReader(*this).read(); }
 

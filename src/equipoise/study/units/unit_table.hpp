@@ -21,9 +21,6 @@ struct TableUnit {
   bool counts_radians() const { return radian == 1; }
 };
 
-/// Whether blanks separate `name` from the other names.
-bool is_among(std::string_view names, std::string_view name);
-
 /// A text read as a product of units: names with a one-digit power at most, numbers, one level of brackets. A study
 /// needs no more. Superscript digits, raised dots and typographic spaces are replaced: "N·m·s⁻²" becomes "N.m.s^-2".
 struct UnitText {

@@ -20,8 +20,8 @@ namespace equipoise::study {
 
 namespace {
 
-constexpr char no_number_with_unit[] = "is not a number with a unit; {}";
-constexpr char measures_something_else[] = "\"{}\" is a unit of something else; {}";
+constexpr char no_number_with_unit[] = "is not a number with a unit";
+constexpr char measures_something_else[] = "\"{}\" is a unit of something else";
 
 template <auto member>
 double by(const model::Scales& scales) {
@@ -176,46 +176,30 @@ std::optional<double> percentage(std::string_view text) {
 }
 
 Measured measure(const std::string& text, const std::vector<Dimension>& wanted) {
-  const std::string must_be = "must be " + wanted_text(wanted);
   Measured result;
   const auto [number, unit_text, error] = split_quantity(text);
   result.value = number;
-  if (error == std::errc::invalid_argument) {
-    result.problem = fmt::format("does not begin with a number; {}", must_be);
+  const auto refused = [&](const std::string& problem) {
+    result.problem = fmt::format("{}; must be {}", problem, wanted_text(wanted));
     return result;
-  }
-  if (error != std::errc() || !std::isfinite(result.value)) {
-    result.problem = fmt::format("the number is out of range; {}", must_be);
-    return result;
-  }
-  if (unit_text.empty()) {
-    result.problem = fmt::format("has no unit; {}", must_be);
-    return result;
-  }
+  };
+  if (error == std::errc::invalid_argument) return refused("does not begin with a number");
+  if (error != std::errc() || !std::isfinite(number)) return refused("the number is out of range");
+  if (unit_text.empty()) return refused("has no unit");
   for (const TemperatureScale& scale : temperature_scales) {
     if (!is_among(scale.names, unit_text)) continue;
-    if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end()) {
-      result.problem = fmt::format(measures_something_else, unit_text, must_be);
-      return result;
-    }
-    result.value = result.value * scale.kelvin + scale.zero;
+    if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end())
+      return refused(fmt::format(measures_something_else, unit_text));
+    result.value = number * scale.kelvin + scale.zero;
     result.dimension = Dimension::temperature;
     return result;
   }
   const UnitText checked(unit_text);
-  if (!checked.is_product) {
-    result.problem = fmt::format(no_number_with_unit, must_be);
-    return result;
-  }
-  if (!checked.unknown.empty()) {
-    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(checked.unknown),
-                                 unit_hint(checked.unknown, checked.names == 1, wanted), must_be);
-    return result;
-  }
-  if (!checked.unit) {
-    result.problem = fmt::format(no_number_with_unit, must_be);
-    return result;
-  }
+  if (!checked.is_product) return refused(no_number_with_unit);
+  if (!checked.unknown.empty())
+    return refused(fmt::format("\"{}\" is no known unit{}", display_text(checked.unknown),
+                               unit_hint(checked.unknown, checked.names == 1, wanted)));
+  if (!checked.unit) return refused(no_number_with_unit);
   for (const Dimension dimension : wanted) {
     const double one = factor(*checked.unit, checked.text, dimension);
     if (one == 0.0) continue;
@@ -223,7 +207,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.dimension = dimension;
     return result;
   }
-  result.problem = fmt::format(measures_something_else, unit_text, must_be);
+  refused(fmt::format(measures_something_else, unit_text));
   if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns a second)";
   return result;
 }
