@@ -14,7 +14,6 @@
 #include "equipoise/classification/trapping_regions/continuum_region.hpp"
 #include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
-#include "equipoise/classification/trapping_regions/validated_level.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 
 namespace equipoise {

@@ -12,7 +12,7 @@
 #include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/proved_regions/certificate.hpp"
-#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
 
 namespace equipoise {
 

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
-#include "equipoise/classification/trapping_regions/path_region.hpp"
-#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/machine/mechanics/capability.hpp"
 
 namespace equipoise {

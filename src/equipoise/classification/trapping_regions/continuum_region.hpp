@@ -80,7 +80,7 @@ class OffContinuum {
 };
 
 /// Level sets around all attracting members, at a level found by trials of those that attract fast enough
-/// (classification/trapping_regions/validated_level.hpp).
+/// (classification/trapping_regions/trials.hpp).
 struct ContinuumRegion {
   std::shared_ptr<const ContinuumOfEquilibria> continuum;
   double factor = 0.0;                              ///< times every member's unit of V
