@@ -1,7 +1,9 @@
-// Tables for lanes, and functions for single states.
+// Tables for lanes, and functions for single states: also which rest a stalled rotor comes to, by the order of balls
+// that cannot pass each other.
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -11,7 +13,10 @@
 #include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/orders.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/batch/own_rotor.hpp"
 
@@ -91,6 +96,9 @@ SharedRegions cycles_on_section(const model::System& system, const OrbitRegions&
   });
 }
 
+// All orders of four balls. With more, starts may meet the others.
+constexpr std::size_t most_orders = 24;
+
 // A rotor of its own has a well of its own, equally deep for every order of its balls.
 SharedRegions stalled_rotors(const model::System& system, const StalledRegion& stalled) {
   return regions_by([system, stalled](const double* state, double, const OwnRotor* own) -> Caught {
@@ -109,6 +117,53 @@ SharedRegions asked_in_turn(std::vector<SharedRegions> all) {
 }
 
 }  // namespace
+
+std::vector<int> order_of(const model::System& system, const double* state) {
+  if (!system.events().contact || system.parameters().equal_balls()) return {};
+  const int n = system.balls();
+  std::array<double, model::max_balls> from_below{};
+  std::vector<int> order;
+  for (int i = 0; i < n; ++i) {
+    from_below[i] = wrapped(state[system.layout().psi] + state[model::index::phi(i)] + 0.5 * pi);
+    order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return from_below[a] < from_below[b]; });
+  for (int& ball : order) {
+    int kind = 0;
+    while (!system.alike(kind, ball)) ++kind;
+    ball = kind;
+  }
+  return order;
+}
+
+int StalledRegion::caught(const model::System& system, const double* state) const {
+  if (!well.holds(state)) return 0;
+  const std::vector<int> order = order_of(system, state);
+  if (!order.empty() && !well.holds_balls(state)) return 0;
+  for (const Rest& rest : rests)
+    if (rest.order == order) return rest.attractor;
+  return 0;
+}
+
+std::vector<Eigen::VectorXd> places_to_hang(const model::System& system, const model::GravityWell& well) {
+  const int n = system.balls();
+  const double contact = system.parameters().contact_angle;
+  std::vector<std::vector<int>> seen;
+  std::vector<Eigen::VectorXd> places;
+  any_order(
+      n, [](int, int) { return true; }, [&](int i, int k) { return system.alike(i, k); },
+      [&](const std::vector<int>& balls) {
+        Eigen::VectorXd state = well.bottom();
+        for (int k = 0; k < n; ++k)
+          state[model::index::phi(balls[k])] += model::side_by_side * contact * (k - 0.5 * (n - 1));
+        const std::vector<int> order = order_of(system, state.data());
+        if (std::find(seen.begin(), seen.end(), order) != seen.end()) return order.empty();
+        seen.push_back(order);
+        places.push_back(std::move(state));
+        return places.size() == most_orders;
+      });
+  return places;
+}
 
 void set_regions(ClassificationRule& rule, const model::System& system, const OrbitRegions& cycles,
                  const std::optional<ContinuumRegion>& continuum, const std::optional<StalledRegion>& stalled) {
