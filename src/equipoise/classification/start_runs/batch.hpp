@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-/// What began with false or none was stopped.
+/// A function that returns false or nothing was stopped early.
 class Session::Batch {
  public:
   /// `watched`: transients are gathered.

@@ -23,7 +23,7 @@ void change_units(const model::Scales& from, const model::Scales& to, Fate& fate
   for (const TransientFigure& f : transient_figures) change(row->*f.value, *f.dimension);
 }
 
-bool Session::decide(std::span<const DrawnStart> drawn, bool watched, Decided& decided) const {
+bool Session::decide(std::span<const DrawnStart> drawn, Decided& decided) const {
   const int balls = study_.parameters.balls;
   std::vector<std::size_t> places;  // of starts whose values make a study
   std::vector<FamilyStart> starts;
@@ -42,15 +42,15 @@ bool Session::decide(std::span<const DrawnStart> drawn, bool watched, Decided& d
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
   }
   Decided those;
-  if (!decide(std::move(starts), watched, those)) return false;
+  if (!decide(std::move(starts), those)) return false;
   Fate none;
   none.outcome = Outcome::failed;
   decided.phi = std::move(phi);
   decided.fates.assign(drawn.size(), none);
-  decided.transients.assign(watched ? drawn.size() : 0, transient_row({}, {}, true));
+  decided.transients.assign(gathers_ ? drawn.size() : 0, transient_row({}, {}, true));
   for (std::size_t k = 0; k < places.size(); ++k) {
     decided.fates[places[k]] = those.fates[k];
-    if (watched) decided.transients[places[k]] = those.transients[k];
+    if (gathers_) decided.transients[places[k]] = those.transients[k];
   }
   decided.unlisted = std::move(those.unlisted);
   for (UnlistedStart& u : decided.unlisted) {
@@ -61,26 +61,26 @@ bool Session::decide(std::span<const DrawnStart> drawn, bool watched, Decided& d
 }
 
 // Results are in the units of the session's study. Coasting rotors are decided one after the other.
-bool Session::decide(std::vector<FamilyStart> given, bool watched, Decided& decided) const {
+bool Session::decide(std::vector<FamilyStart> given, Decided& decided) const {
   decided = {};
   std::vector<std::optional<model::Scales>> scales;
   for (const FamilyStart& start : given) scales.push_back(start.own.study.scales);
   if (system_.coasts()) {
     for (const FamilyStart& start : given)
-      if (!decide_coasting(start, watched, decided)) return false;
+      if (!decide_coasting(start, decided)) return false;
   } else {
-    Batch batch(*this, watched);
+    Batch batch(*this, gathers_);
     if (!batch.begin(std::move(given)) || !batch.finish(decided)) return false;
   }
   for (std::size_t i = 0; i < scales.size(); ++i)
     if (scales[i])
-      change_units(*scales[i], *study_.scales, decided.fates[i], watched ? &decided.transients[i] : nullptr);
+      change_units(*scales[i], *study_.scales, decided.fates[i], gathers_ ? &decided.transients[i] : nullptr);
   return true;
 }
 
 // Adds a start, decided by a session of its own.
-bool Session::decide_coasting(const FamilyStart& start, bool watched, Decided& decided) const {
-  const Session alone(start.own.study, {.stop = stop_}, watched);
+bool Session::decide_coasting(const FamilyStart& start, Decided& decided) const {
+  const Session alone(start.own.study, {.stop = stop_}, gathers_);
   RunCatalogue catalogue(alone);
   Decided one;
   if (!alone.decide({&start.own.start, 1}, one)) return false;

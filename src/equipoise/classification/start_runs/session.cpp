@@ -110,10 +110,6 @@ bool Session::decide(std::span<const InitialState> given, Decided& decided) cons
   return batch.begin(given) && batch.finish(decided);
 }
 
-bool Session::decide(std::vector<FamilyStart> given, Decided& decided) const {
-  return decide(std::move(given), gathers_, decided);
-}
-
 bool Session::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
                    std::span<MetMotions> met) const {
   Batch batch(*this, false);
@@ -141,7 +137,7 @@ std::optional<UnlistedStart> Session::follow(const std::vector<double>& state) c
     Decided decided;
     const auto number = static_cast<std::uint64_t>(state.front());
     const DrawnStart drawn{number, fractions_of(number)};
-    if (!decide({&drawn, 1}, false, decided)) return std::nullopt;
+    if (!decide({&drawn, 1}, decided)) return std::nullopt;
     return decided.unlisted.empty() ? UnlistedStart{0, state, {}, {}} : std::move(decided.unlisted.front());
   }
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));

@@ -82,7 +82,7 @@ class Session {
   /// Given starts (check_given_starts()), unless the study has uncertain values.
   bool decide(std::span<const InitialState> given, Decided& decided) const;
   /// Draws of a study with uncertain values.
-  bool decide(std::span<const DrawnStart> drawn, Decided& decided) const { return decide(drawn, gathers_, decided); }
+  bool decide(std::span<const DrawnStart> drawn, Decided& decided) const;
   /// Starts whose rotors belong to the family.
   bool decide(std::vector<FamilyStart> given, Decided& decided) const;
   /// The fractions that start `number` draws for the uncertain values.
@@ -113,9 +113,7 @@ class Session {
 
  private:
   class Batch;
-  bool decide(std::span<const DrawnStart> drawn, bool watched, Decided& decided) const;
-  bool decide(std::vector<FamilyStart> given, bool watched, Decided& decided) const;
-  bool decide_coasting(const FamilyStart& start, bool watched, Decided& decided) const;
+  bool decide_coasting(const FamilyStart& start, Decided& decided) const;
 
   Study study_;
   bool gathers_ = false, measures_radii_ = false;
