@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
-#include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/rotor_family/study_family.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -152,8 +152,7 @@ BasinResult bare_basin(const Study& study, const BasinOptions& options) {
   check(study);
   refuse_starts(study, options);
   BasinResult result;
-  result.study = with_horizon(study);
-  result.study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
+  result.study = as_sampled(study);
   const Sampler sampler = sampler_of(result.study);
   result.threads = thread_count(options.threads);
   result.cpu_target = cpu_target();

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/run_info.hpp"
@@ -28,8 +27,7 @@ BasinCost measure_cost(const Study& asked, const RunOptions& options, double pat
   return reported(options, [&](const RunOptions& o) {
     const bool gathers = gathers_transients(asked, {});
     check_runnable(asked, gathers);
-    Study study = with_horizon(asked);
-    study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
+    const Study study = as_sampled(asked);
     BasinCost cost;
     cost.starts = study.sampling.starts;
     StopFlag stop{is_set(o.stop)};
