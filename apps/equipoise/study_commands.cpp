@@ -15,7 +15,6 @@
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
 #include "options.hpp"

@@ -7,7 +7,6 @@
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"

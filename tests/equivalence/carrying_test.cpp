@@ -8,7 +8,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"

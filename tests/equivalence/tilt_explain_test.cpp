@@ -16,7 +16,6 @@
 #include "equipoise/machine/mechanics/whirl.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/refusals.hpp"

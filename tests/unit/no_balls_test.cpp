@@ -11,7 +11,6 @@
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/studies.hpp"

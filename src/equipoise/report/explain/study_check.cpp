@@ -1,5 +1,5 @@
 // Machine, unbalance, balls and assumptions, each in a line.
-#include "equipoise/report/explain/study_check.hpp"
+#include "equipoise/report/explain/explain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/decision/verdict.hpp"
-#include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/parts.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/grade_text.hpp"

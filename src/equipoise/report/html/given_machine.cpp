@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/explain/study_check.hpp"
 #include "equipoise/report/html/given_keys.hpp"
 
 namespace equipoise {

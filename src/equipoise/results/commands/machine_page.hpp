@@ -24,7 +24,7 @@ struct GivenMachine {
   std::vector<GivenTable> given;
   Explanation explanation;
   /// What the study does not state and what is then assumed, and which estimate matters most
-  /// (report/explain/study_check.hpp); empty without the study's text.
+  /// (report/explain/explain.hpp); empty without the study's text.
   std::vector<std::string> assumed;
   std::string matters_most;
 };
