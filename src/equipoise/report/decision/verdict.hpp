@@ -25,9 +25,8 @@ inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed
 
 /// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
 /// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
-/// the end is at most half of that without balls. Starts are compared with their own rotors
-/// (report/decision/times_bare.hpp). Peaks count as larger from a tenth on. Below the critical speed no limit or start
-/// is asked.
+/// the end is at most half of that without balls. Starts are compared with their own rotors. Peaks count as larger from
+/// a tenth on. Below the critical speed, neither limits nor starts matter.
 struct BalancerVerdict {
   Decision decision = Decision::open;
   std::string words;       ///< "Fit it.", with a reason
