@@ -37,14 +37,11 @@ SvgAxes plane_axes(Svg& svg, const StabilityPlane& plane) {
 // The drawing as a picture file below the title and the parameters that stay.
 std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
                        const char* caption) {
-  DrawingRow row;
-  row.drawings.push_back({"", drawing.str(), "", ""});
-  row.caption = caption;
   return plot_file(title,
                    {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
                     (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
                     (complete ? "" : " (PARTIAL: stopped early)")},
-                   row);
+                   {{{"", drawing.str()}}, caption});
 }
 
 // Every so many-th row and column.

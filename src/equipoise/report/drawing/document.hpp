@@ -61,13 +61,13 @@ struct DocumentTable {
 };
 /// A picture drawn for the page itself (report/drawing/svg.hpp), as text in the page's own light or dark colours.
 struct Drawing {
-  std::string title, svg, text;
-  std::string colour;  ///< of an outcome, shown before the title; may be empty
+  std::string title{}, svg{}, text{};
+  std::string colour{};  ///< of an outcome, shown before the title; may be empty
 };
 /// Drawings side by side where there is room.
 struct DrawingRow {
-  std::vector<Drawing> drawings;
-  std::string caption;
+  std::vector<Drawing> drawings{};
+  std::string caption{};
   bool large = false;  ///< on paper two to a row, not three: for plots, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet

@@ -33,7 +33,9 @@ struct NearBalance {
   std::array<double, model::max_balls> angles;
   bool family;
   std::string less;  // what was left out: "; without gravity"
+  double stiffness = rules::ball_stiffness(parameters, speed, angles.data());
 
+  DragScan scan() const { return {parameters, speed, angles, family}; }
   bool above_resonance() const { return speed > highest(rules::critical_speeds(parameters)); }
 };
 
@@ -149,13 +151,12 @@ RuleOfThumb drag(const Explanation& e) {
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double own = rules::mean_drag(near->parameters);
-  const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
-  if (stiffness <= 0.0) {
+  if (near->stiffness <= 0.0) {
     rule.words = near->above_resonance() ? "nothing brings the balls of this balanced state back: all lie on one line"
                                          : "between the critical speeds nothing brings the balls back";
     return rule;
   }
-  const double best = rules::settling_drag(near->parameters, stiffness);
+  const double best = rules::settling_drag(near->parameters, near->stiffness);
   double from = rules::least_of_settling_drag * best, to = rules::most_of_settling_drag * best;
   add_drag(rule, e, "from", from);
   add_drag(rule, e, "to", to);
@@ -163,7 +164,7 @@ RuleOfThumb drag(const Explanation& e) {
   if (own > 0.0) {
     // Drags a thousand times less and more than either: nobody has a choice of more.
     const double low = std::min(best, own) / (1e3 * own), high = std::max(best, own) * 1e3 / own;
-    const DragScan scan(near->parameters, near->speed, near->angles, near->family);
+    const DragScan scan = near->scan();
     if (const auto range = scan.range(rules::settling_share, low, high)) {
       from = range->low * own;
       to = range->high * own;
@@ -212,17 +213,16 @@ RuleOfThumb settling(const Explanation& e) {
                    "docs/explanation/rules-of-thumb.md, Settling; Linearisation in docs/explanation/equations.md"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
-  const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
-  const double time = rules::settling_time(near->parameters, std::max(stiffness, 0.0));
+  const double time = rules::settling_time(near->parameters, std::max(near->stiffness, 0.0));
   // Linear theory may leave less out than the rule.
   const bool knows_more = e.motion && e.motion->less.empty() && !near->less.empty();
   rule.words = "a deviation falls to 1/e" + (knows_more ? "; the rule " + near->less.substr(2) : near->less);
   if (!std::isfinite(time))
-    rule.words = stiffness > 0.0 ? "without drag or without damping nothing settles" : "nothing brings the balls back";
+    rule.words =
+        near->stiffness > 0.0 ? "without drag or without damping nothing settles" : "nothing brings the balls back";
   if (e.study.parameters.balls_stick()) rule.words += "; friction stops the balls short of it";
   add(rule, "", "by the rule", time, Dimension::time);
-  const double rate = e.motion ? e.motion->slowest_rate
-                               : DragScan(near->parameters, near->speed, near->angles, near->family).slowest(1.0);
+  const double rate = e.motion ? e.motion->slowest_rate : near->scan().slowest(1.0);
   if (rate < -least_rate)
     add(rule, "", "by linear theory", -1.0 / rate, Dimension::time);
   else

@@ -87,10 +87,9 @@ std::string branch_plot(const BranchesResult& r, const std::string& title) {
                      {axis_label(r.key)}, {"rotor displacement r / race radius"});
   for (const Branch& b : r.branches) draw_branch(svg, axes, b);
   draw_legend(svg, legend);
-  DrawingRow row;
-  row.drawings.push_back({"", svg.str(), "", ""});
-  row.caption = "Every motion from its smallest to its largest displacement: a band where it attracts.";
-  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "")}, row);
+  return plot_file(
+      title, {parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "")},
+      {{{"", svg.str()}}, "Every motion from its smallest to its largest displacement: a band where it attracts."});
 }
 
 }  // namespace equipoise

@@ -196,9 +196,9 @@ DrawingRow sweep_drawing(const SweepResult& r) {
   row.caption = r.axes.size() == 1 ? "Shares of starts, stacked; strokes: 95 % interval of the balanced share."
                                    : "Balanced share of the starts in every cell, in per cent where there is room.";
   if (r.axes.size() == 1)
-    row.drawings.push_back({"", stacked_svg(r), "", ""});
+    row.drawings.push_back({"", stacked_svg(r)});
   else if (r.axes.size() == 2)
-    row.drawings.push_back({"", heat_svg(r, 0), "", ""});
+    row.drawings.push_back({"", heat_svg(r, 0)});
   else
     add_heat_maps(row, r);
   return row;
