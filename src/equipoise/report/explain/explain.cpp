@@ -113,7 +113,7 @@ std::vector<double> forces_at_bearings(const Study& study, const model::ShaftVib
   return forces;
 }
 
-// Of a rotor that tilts: whirl with its gyroscopic moment, vibration along the shaft, and what the balls of each plane
+// For tilting rotors: whirl with its gyroscopic moment, vibration along the shaft, and what the balls of each plane
 // have to cancel. The explanation has speed and `ball_width`, which this takes.
 void explain_tilt(Explanation& e) {
   const Study& study = e.study;

@@ -89,7 +89,7 @@ class Warnings {
           text(highest, Dimension::speed), unstable);
   }
 
-  // A rotor that tilts has quiet ranges between its critical speeds.
+  // A tilting rotor has quiet ranges between its critical speeds.
   bool near_critical(double w, double lowest, double highest) const {
     if (!e_.tilt) return w >= 0.9 * lowest && w <= 1.1 * highest;
     bool near = false;
