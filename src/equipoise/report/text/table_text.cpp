@@ -120,8 +120,9 @@ struct TextWriter {
   }
   std::string operator()(const DocumentTable& table) const {
     if (table.rows.empty() || (table.folded && !style.details)) return "";
-    const std::string text = table_text(table, style);
-    return fits(text) ? text : as_list(table);
+    TextStyle plain = style;
+    plain.colour = false;
+    return fits(table_text(table, plain)) ? table_text(table, style) : as_list(table);
   }
   std::string operator()(const Listing& listing) const {
     return listing.open ? filled("", listing.caption + ":", style) + listing.text : "";
