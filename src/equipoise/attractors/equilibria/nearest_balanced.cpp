@@ -50,9 +50,9 @@ std::optional<BalancedMember> turning_member(const model::System& system, const 
   orbit.winding[static_cast<std::size_t>(system.balls())] = speed > 0.0 ? 1 : -1;
   orbit.nodes = {centre};
   constexpr double tolerance = 1e-12;
-  const auto flight = follow_derivative(system, centre, orbit.period, tolerance);
-  if (!flight) return std::nullopt;
-  orbit.multipliers = floquet_multipliers(system, orbit.nodes, {flight->tangents});
+  const auto arcs = follow_arcs(system, orbit.nodes, orbit.period, tolerance);
+  if (arcs.empty()) return std::nullopt;
+  orbit.multipliers = floquet_multipliers(system, orbit.nodes, arcs);
   return orbit_member(system, orbit);
 }
 

@@ -226,9 +226,9 @@ class Recorder {
 };
 
 // Takes states at equal times from the beginning of a stretch, if asked to.
-class Sampler {
+class StateSampler {
  public:
-  Sampler(const Eigen::VectorXd& z, double spacing, std::vector<Eigen::VectorXd>* samples)
+  StateSampler(const Eigen::VectorXd& z, double spacing, std::vector<Eigen::VectorXd>* samples)
       : size_(z.size()), spacing_(spacing), samples_(samples) {
     if (samples_) samples_->assign(1, z);
   }
@@ -283,7 +283,7 @@ class Stretch {
   const double spacing_;
   std::optional<Gatherer<Flow, sags>> gatherer_;
   std::optional<Recorder> recorder_;
-  Sampler sampler_;
+  StateSampler sampler_;
 };
 
 }  // namespace equipoise

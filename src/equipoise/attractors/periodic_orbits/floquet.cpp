@@ -8,7 +8,6 @@
 #include <cmath>
 #include <complex>
 #include <numeric>
-#include <utility>
 
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
@@ -40,10 +39,10 @@ std::vector<MatrixXd> bases_across(const model::System& system, const std::vecto
 }
 
 // Arcs' derivatives between the bases.
-std::vector<MatrixXd> arcs_across(const std::vector<MatrixXd>& bases, const std::vector<MatrixXd>& arcs) {
+std::vector<MatrixXd> arcs_across(const std::vector<MatrixXd>& bases, const std::vector<TangentFlight>& arcs) {
   std::vector<MatrixXd> result;
   for (std::size_t k = 0; k < arcs.size(); ++k)
-    result.push_back(bases[(k + 1) % bases.size()].transpose() * arcs[k] * bases[k]);
+    result.push_back(bases[(k + 1) % bases.size()].transpose() * arcs[k].tangents * bases[k]);
   return result;
 }
 
@@ -67,18 +66,18 @@ std::vector<Index> falling(const Eigen::VectorXcd& values) {
 }  // namespace
 
 Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vector<VectorXd>& nodes,
-                                     const std::vector<MatrixXd>& arcs) {
+                                     const std::vector<TangentFlight>& arcs) {
   const VectorXd rate = model::rate(system, nodes.front());
   const Eigen::VectorXcd across = dense::eigenvalues(product(arcs_across(bases_across(system, nodes), arcs)));
   Eigen::VectorXcd result(rate.size());
-  result[0] = rate.dot(product(arcs) * rate) / rate.squaredNorm();
+  result[0] = rate.dot(monodromy(arcs) * rate) / rate.squaredNorm();
   Index k = 1;
   for (const Index i : falling(across)) result[k++] = across[i];
   return result;
 }
 
-Eigen::VectorXcd floquet_multipliers(const std::vector<MatrixXd>& arcs) {
-  const Eigen::VectorXcd values = dense::eigenvalues(product(arcs));
+Eigen::VectorXcd floquet_multipliers(const std::vector<TangentFlight>& arcs) {
+  const Eigen::VectorXcd values = dense::eigenvalues(monodromy(arcs));
   return values(falling(values));
 }
 
@@ -91,12 +90,8 @@ std::optional<FloquetFrame> floquet_frame(const model::System& system, const Per
   FloquetFrame frame;
   frame.states = sample_orbit(system, orbit, count);
   if (frame.states.empty()) return std::nullopt;
-  std::vector<MatrixXd> arcs;
-  for (const VectorXd& z : frame.states) {
-    auto arc = follow_derivative(system, z, orbit.period / count, tolerance);
-    if (!arc) return std::nullopt;
-    arcs.push_back(std::move(arc->tangents));
-  }
+  const std::vector<TangentFlight> arcs = follow_arcs(system, frame.states, orbit.period / count, tolerance);
+  if (arcs.empty()) return std::nullopt;
   const auto bases = bases_across(system, frame.states);
   const auto across = arcs_across(bases, arcs);
 

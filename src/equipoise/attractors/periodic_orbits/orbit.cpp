@@ -73,10 +73,10 @@ struct Shooting {
   double period = 0.0;
   bool imposed = false;  // the period is not solved for
   // From evaluate():
-  std::vector<MatrixXd> arcs;   // derivative of each arc's end with respect to its node
-  std::vector<VectorXd> rates;  // dz/dt at each arc's end
-  VectorXd mismatch;            // arc ends minus next nodes, and 0 for the phase condition, in units of their scale
-  double residual = 0.0;        // its largest component, in that component's unit
+  std::vector<TangentFlight> arcs;  // from the nodes
+  std::vector<VectorXd> rates;      // dz/dt at each arc's end
+  VectorXd mismatch;                // arc ends minus next nodes, and 0 for the phase condition, in units of their scale
+  double residual = 0.0;            // its largest component, in that component's unit
 };
 
 class OrbitProblem {
@@ -102,21 +102,18 @@ class OrbitProblem {
   }
 
   bool evaluate(Shooting& s) const {
-    s.arcs.clear();
+    s.arcs = follow_arcs(system_, s.nodes, s.period / double(nodes_), tolerance_, stop_);
     s.rates.clear();
     s.residual = 0.0;
     s.mismatch = VectorXd::Zero(unknowns(s));
+    if (s.arcs.empty()) return false;
     for (std::size_t k = 0; k < nodes_; ++k) {
-      auto arc = follow_derivative(system_, s.nodes[k], s.period / double(nodes_), tolerance_, 0.0, stop_);
-      if (!arc) return false;
-      VectorXd miss = arc->end - s.nodes[(k + 1) % nodes_];
+      VectorXd miss = s.arcs[k].end - s.nodes[(k + 1) % nodes_];
       if (k + 1 == nodes_)
         for (std::size_t i = 0; i < angles_.size(); ++i) miss[angles_[i].place] -= angles_[i].turn * winding_[i];
-      if (!miss.allFinite()) return false;
       s.residual = std::max(s.residual, miss.lpNorm<Eigen::Infinity>());
       s.mismatch.segment(size_ * Index(k), size_) = miss.cwiseQuotient(unit_);
-      if (!s.imposed) s.rates.push_back(model::rate(system_, arc->end).cwiseQuotient(unit_));
-      s.arcs.push_back(std::move(arc->tangents));
+      if (!s.imposed) s.rates.push_back(model::rate(system_, s.arcs[k].end).cwiseQuotient(unit_));
     }
     return true;
   }
@@ -128,7 +125,7 @@ class OrbitProblem {
     MatrixXd m = MatrixXd::Zero(unknowns(s), unknowns(s));
     for (std::size_t k = 0; k < nodes_; ++k) {
       const Index row = size_ * Index(k), next = size_ * Index((k + 1) % nodes_);
-      m.block(row, row, size_, size_) = unit_.cwiseInverse().asDiagonal() * s.arcs[k] * unit_.asDiagonal();
+      m.block(row, row, size_, size_) = in_units(s.arcs[k].tangents, unit_);
       m.block(row, next, size_, size_) -= MatrixXd::Identity(size_, size_);
       if (s.imposed) continue;
       m.block(row, last, size_, 1) = s.rates[k] * (s.period / double(nodes_));

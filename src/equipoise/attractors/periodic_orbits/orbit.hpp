@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/types/periodic_orbit.hpp"
@@ -56,14 +57,13 @@ std::optional<PeriodicOrbit> find_orbit(const model::System& system, const Eigen
 /// integration fails.
 std::vector<Eigen::VectorXd> sample_orbit(const model::System& system, const PeriodicOrbit& orbit, int count);
 
-/// Floquet multipliers of a periodic orbit. `arcs[k]`: derivative of the state at node k + 1 with respect to that at
-/// node k. First comes the multiplier of the shift in time, 1 up to errors, then the others with falling modulus.
-/// Absolute accuracy is about 1e-12 times the norm of the product of all arcs, by integration errors; a smaller
-/// multiplier is noise.
+/// Floquet multipliers of a periodic orbit from its arcs (follow_arcs()). First comes the multiplier of the shift in
+/// time, 1 up to errors, then the others with falling modulus. Absolute accuracy is about 1e-12 times the norm of the
+/// product of all arcs, by integration errors; a smaller multiplier is noise.
 Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vector<Eigen::VectorXd>& nodes,
-                                     const std::vector<Eigen::MatrixXd>& arcs);
+                                     const std::vector<TangentFlight>& arcs);
 /// The same for an imposed period: all with falling modulus, as none belongs to a shift in time.
-Eigen::VectorXcd floquet_multipliers(const std::vector<Eigen::MatrixXd>& arcs);
+Eigen::VectorXcd floquet_multipliers(const std::vector<TangentFlight>& arcs);
 
 /// Deviations near a periodic orbit in Floquet coordinates w_k(t) . d, whose modulus changes as e^{rate_k t}.
 struct FloquetFrame {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -31,6 +32,17 @@ std::optional<TangentFlight> follow_tangents(const model::System& system, const 
 std::optional<TangentFlight> follow_derivative(const model::System& system, const Eigen::VectorXd& state,
                                                double duration, double tolerance, double psi = 0.0,
                                                const StopFlag* stop = nullptr);
+
+/// One pass of multiple shooting: follow_derivative() for `time` from every node. Empty if one fails or leaves all
+/// bounds.
+std::vector<TangentFlight> follow_arcs(const model::System& system, const std::vector<Eigen::VectorXd>& nodes,
+                                       double time, double tolerance, const StopFlag* stop = nullptr);
+/// The product of their derivatives: of the last one's end by the first node.
+Eigen::MatrixXd monodromy(const std::vector<TangentFlight>& arcs);
+/// A derivative of states by states, both in units of `unit`.
+inline Eigen::MatrixXd in_units(const Eigen::MatrixXd& derivative, const Eigen::VectorXd& unit) {
+  return unit.cwiseInverse().asDiagonal() * derivative * unit.asDiagonal();
+}
 
 /// The state a time `duration` >= 0 later (adaptive DOP853).
 std::optional<Eigen::VectorXd> advance_state(const model::System& system, const Eigen::VectorXd& state, double duration,

@@ -10,10 +10,9 @@
 namespace equipoise {
 
 DrawnSource::DrawnSource(const StudyFamily& family, const FamilyBox& box, const StopFlag* stop)
-    : family_(family),
+    : SpinUp(at_final_speed(family.at(family.values_at(box.centre()))), stop),
+      family_(family),
       box_(box),
-      stop_(stop),
-      study_(at_final_speed(family.at(family.values_at(box.centre())))),
       middle_(make_spin_up(study_, stop)) {}
 
 // Draw `index`, or the middle if the draw is no study or cannot share lanes with it.

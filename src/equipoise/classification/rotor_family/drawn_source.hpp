@@ -37,8 +37,6 @@ class DrawnSource final : public SpinUp {
 
   const StudyFamily& family_;
   const FamilyBox& box_;
-  const StopFlag* stop_;
-  Study study_;
   std::unique_ptr<SpinUp> middle_;
 };
 

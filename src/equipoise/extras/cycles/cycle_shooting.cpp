@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <utility>
 
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/core/base/angles.hpp"
@@ -78,13 +77,11 @@ void CycleShooting::stay_near(const model::System& system, const CycleShape& sha
 
 std::optional<CycleArcs> CycleShooting::arcs(const model::System& system, const CycleShape& shape) const {
   if (!(shape.period > 0.0)) return std::nullopt;
-  CycleArcs result;
-  for (const VectorXd& z : shape.nodes) {
-    auto flight = follow_derivative(system, z, arc_time(shape), tolerance_);
-    if (!flight || !flight->end.allFinite()) return std::nullopt;
-    result.slopes.emplace_back(unit_.cwiseInverse().asDiagonal() * flight->tangents * unit_.asDiagonal());
-    result.rates.emplace_back(model::rate(system, flight->end).cwiseQuotient(unit_));
-    result.flights.push_back(*std::move(flight));
+  CycleArcs result{follow_arcs(system, shape.nodes, arc_time(shape), tolerance_), {}, {}};
+  if (result.flights.empty()) return std::nullopt;
+  for (const TangentFlight& flight : result.flights) {
+    result.slopes.push_back(in_units(flight.tangents, unit_));
+    result.rates.emplace_back(model::rate(system, flight.end).cwiseQuotient(unit_));
   }
   return result;
 }
@@ -183,8 +180,7 @@ std::optional<RowVectorXd> CycleShooting::test_slopes(const model::System& syste
     const auto real = bent(system, shape, k, right.real()), imaginary = bent(system, shape, k, right.imag());
     if (!real || !imaginary) return std::nullopt;
     RowVectorXd slope = left.real().transpose() * *real - left.imag().transpose() * *imaginary;
-    const MatrixXd jacobian =
-        unit_.cwiseInverse().asDiagonal() * model::jacobian(system, arcs.flights[here].end) * unit_.asDiagonal();
+    const MatrixXd jacobian = in_units(model::jacobian(system, arcs.flights[here].end), unit_);
     const double by_time = period_weight_ / static_cast<double>(count_);
     const VectorXcd end = arcs.slopes[here].cast<std::complex<double>>() * right;
     result[0] += by_time * (left.real().dot(jacobian * end.real()) - left.imag().dot(jacobian * end.imag()));
@@ -211,9 +207,7 @@ double CycleShooting::along(const RowVectorXd& test_slopes, const CycleArcs& arc
 
 VectorXcd CycleShooting::multipliers(const model::System& system, const CycleShape& shape,
                                      const CycleArcs& arcs) const {
-  std::vector<MatrixXd> slopes;
-  for (const TangentFlight& flight : arcs.flights) slopes.push_back(flight.tangents);
-  return floquet_multipliers(system, shape.nodes, slopes).tail(size_ - 1);
+  return floquet_multipliers(system, shape.nodes, arcs.flights).tail(size_ - 1);
 }
 
 double longest_period(const model::System& system, const CycleShape& shape, double at_birth) {

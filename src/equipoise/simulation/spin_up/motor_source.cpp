@@ -140,11 +140,6 @@ class MotorSource final : public SpinUp {
   MotorSource(const Study& study, const StopFlag* stop)
       : MotorSource(std::vector<Machine>{Machine(study)}, false, stop) {}
 
-  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-            TransientTable* transients) const override {
-    return follow(starts_of(machines_.front().study, sampler_, seed, first, count), starts, transients);
-  }
-
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const override {
     std::vector<std::size_t> all(given.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -176,7 +171,7 @@ class MotorSource final : public SpinUp {
 
  private:
   MotorSource(std::vector<Machine> machines, bool own, const StopFlag* stop)
-      : machines_(std::move(machines)), own_(own), sampler_(sampler_of(machines_.front().study)), stop_(stop) {}
+      : SpinUp(machines.front().study, stop), machines_(std::move(machines)), own_(own) {}
 
   const Machine& of(std::size_t i) const { return machines_[own_ ? i : 0]; }
 
@@ -356,11 +351,16 @@ class MotorSource final : public SpinUp {
 
   std::vector<Machine> machines_;
   bool own_;  // each start has its own machine, else all share one
-  Sampler sampler_;
-  const StopFlag* stop_;
 };
 
 }  // namespace
+
+SpinUp::SpinUp(const Study& study, const StopFlag* stop) : study_(study), sampler_(sampler_of(study)), stop_(stop) {}
+
+bool SpinUp::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                  TransientTable* transients) const {
+  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
+}
 
 bool spin_up_motors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
                     TransientTable* transients) {

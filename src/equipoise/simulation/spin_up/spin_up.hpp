@@ -13,6 +13,7 @@
 #include "equipoise/results/types/transient_table.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise {
 
@@ -45,7 +46,7 @@ class SpinUp {
   /// Makes starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, with the settings of
   /// watch(), receives a row for each start, up to the time of its state.
   virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                    TransientTable* transients = nullptr) const = 0;
+                    TransientTable* transients = nullptr) const;
   /// The same for given starts (classification/start_runs/checks.hpp). At a prescribed speed with clamped balls, only
   /// their angles count.
   virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
@@ -55,6 +56,13 @@ class SpinUp {
   /// When the last piece begins and, at a prescribed speed, the balls are free.
   double settled() const { return last_task().segment.begin; }
   double tolerance() const { return last_task().tolerance; }
+
+ protected:
+  SpinUp(const Study& study, const StopFlag* stop);
+
+  const Study study_;
+  const Sampler sampler_;
+  const StopFlag* const stop_;
 };
 
 /// For any system. The study must have its horizon.

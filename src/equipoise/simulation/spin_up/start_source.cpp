@@ -35,9 +35,7 @@ StartSource::StartSource(const Study& study, const StopFlag* stop)
     : StartSource(study, model::segments(study.speed_profile(), study.release_time()), stop) {}
 
 StartSource::StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop)
-    : study_(study),
-      sampler_(sampler_of(study)),
-      stop_(stop),
+    : SpinUp(study, stop),
       segments_(std::move(segments)),
       tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
   if (!model::System(study.parameters, 0.0).simple())
@@ -144,11 +142,6 @@ void StartSource::place(const InitialState& start, double* state, TransientSums*
   initial_state(start, study_.parameters.balls, segments_.front().speed, state);
   if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
   if (sums) *sums = clamped_.sums(study_.parameters, start.phi.data());
-}
-
-bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                       TransientTable* transients) const {
-  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
 }
 
 bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,6 @@
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/simulation/transients/clamped_transients.hpp"
 #include "equipoise/study/contents/study.hpp"
-#include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise {
 
@@ -30,8 +28,6 @@ class StartSource : public SpinUp {
   StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
 
   void watch(const TransientSettings& settings) override;
-  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-            TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
 
   /// The states, row-major, in which balls at these angles are released.
@@ -52,9 +48,6 @@ class StartSource : public SpinUp {
   std::array<double, 4> origin() const;
   void end_piece(std::size_t k, TransientTable& transients) const;
 
-  Study study_;
-  Sampler sampler_;
-  const StopFlag* stop_;
   std::vector<model::Segment> segments_;
   std::vector<model::System> systems_;  // over each segment, unless the system is simple (system.hpp); else empty
   std::size_t first_free_ = 0;
