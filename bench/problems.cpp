@@ -3,9 +3,13 @@
 
 #include <cmath>
 
+#include "equipoise/core/base/embedded.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/literature/paper_files.hpp"
 #include "equipoise/study/sampling/starts.hpp"
+
+namespace equipoise::embedded {
+extern const Archive paper_files;  // of equipoise_paper: studies of the printed rows
+}
 
 namespace equipoise::bench {
 
