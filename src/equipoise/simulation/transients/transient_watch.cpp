@@ -8,7 +8,7 @@
 
 #include "equipoise/machine/mechanics/energy.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
-#include "equipoise/machine/model/bearing_force-inl.hpp"
+#include "equipoise/machine/model/equation_terms-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "equipoise/simulation/batch/batch_watch-inl.hpp"
-#include "equipoise/machine/model/bearing_force-inl.hpp"
+#include "equipoise/machine/model/equation_terms-inl.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/model/drive-inl.hpp"
 #include "equipoise/machine/model/energy-inl.hpp"
