@@ -1,8 +1,6 @@
 // UTF-8 as in RFC 3629: shortest forms only, no surrogates, nothing above U+10FFFF.
 #include "equipoise/core/base/display_text.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace equipoise {

@@ -2,7 +2,6 @@
 #include "equipoise/core/base/error.hpp"
 
 #include <string_view>
-#include <utility>
 
 #include "equipoise/core/base/display_text.hpp"
 

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
-#include <string>
 #include <version>
 
 #include <locale.h>

@@ -2,7 +2,6 @@
 #include "equipoise/core/running/reporting.hpp"
 
 #include <chrono>
-#include <exception>
 #include <thread>
 
 namespace equipoise {

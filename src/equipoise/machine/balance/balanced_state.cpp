@@ -2,7 +2,6 @@
 #include "equipoise/machine/balance/balanced_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 

@@ -7,7 +7,6 @@
 #include <complex>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"

@@ -1,9 +1,6 @@
 // Torque laws and their smooth pieces.
 #include "equipoise/machine/drives/motor.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace equipoise::model {

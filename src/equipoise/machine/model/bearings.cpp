@@ -2,7 +2,6 @@
 #include "equipoise/machine/model/bearings.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 
 namespace equipoise::model {
