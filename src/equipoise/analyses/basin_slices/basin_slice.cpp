@@ -24,7 +24,6 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"

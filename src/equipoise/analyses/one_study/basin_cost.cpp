@@ -6,9 +6,9 @@
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {

@@ -2,8 +2,8 @@
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/extras/curves/curve_starts.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

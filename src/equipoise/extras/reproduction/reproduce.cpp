@@ -14,9 +14,9 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

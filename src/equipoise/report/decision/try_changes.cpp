@@ -8,8 +8,8 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 
 namespace equipoise {
 
