@@ -10,6 +10,7 @@
 #include "equipoise/analyses/one_study/comparison.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/results/io/netcdf.hpp"
