@@ -46,7 +46,8 @@ model::System without_contact(const model::System& system) {
   return {p, system.drive()};
 }
 
-// The largest real part (of rates), or the rate of the largest multiplier, without the `zeros` closest to zero.
+}  // namespace
+
 double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double section_period) {
   std::vector<std::complex<double>> values(eigenvalues.begin(), eigenvalues.end());
   const double none = section_period > 0.0 ? 1.0 : 0.0;
@@ -58,8 +59,6 @@ double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double secti
                                                      : values[k].real());
   return largest;
 }
-
-}  // namespace
 
 ContinuumOfEquilibria::ContinuumOfEquilibria(const model::System& system)
     : system_(without_contact(system)),
@@ -238,8 +237,7 @@ bool ContinuumOfEquilibria::stays(ContinuumMember m, double slowest_rate) const 
 // Only the rate across at a balanced state.
 double ContinuumOfEquilibria::rate_at(const double* phi) const {
   const VectorXd centre = model::balanced_state(balanced_, speed_, phi);
-  if (section_period_ == 0.0)
-    return slowest_of(dense::eigenvalues(model::jacobian(balanced_, centre)), dimension_, 0.0);
+  if (section_period_ == 0.0) return slowest_of(dense::eigenvalues(model::jacobian(balanced_, centre)), dimension_);
   const auto flight = follow_derivative(balanced_, centre, section_period_, map_tolerance);
   return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, section_period_) : 1e300;
 }

@@ -35,6 +35,10 @@ struct ContinuumMember {
   Eigen::VectorXd creep;  ///< velocity along the continuum, as gravity leaves none of it at rest; size 0: none
 };
 
+/// The largest real part, without the `zeros` eigenvalues closest to zero. With a `section_period` the values are
+/// multipliers over it, and the result is the rate of the largest, without those closest to one.
+double slowest_of(const Eigen::VectorXcd& eigenvalues, Eigen::Index zeros, double section_period = 0.0);
+
 /// A sample of a continuum: its stable part, with members.
 struct ContinuumSample : ContinuumPart {
   bool attracts() const { return !members.empty(); }

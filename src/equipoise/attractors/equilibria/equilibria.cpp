@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
+#include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"
@@ -104,7 +105,7 @@ ContinuumPart partly_balanced_part(const model::System& system, const VectorXd& 
   }
   race.eccentricity = std::abs(sum);
   const double turn = std::arg(-sum);
-  const auto zeros = static_cast<std::size_t>(free_angles(system, equilibrium));
+  const int zeros = free_angles(system, equilibrium);
   ContinuumDraws source(race);
   ContinuumPart part;
   std::vector<double> stable, growing;
@@ -112,11 +113,7 @@ ContinuumPart partly_balanced_part(const model::System& system, const VectorXd& 
   for (; part.drawn < draws && source.next(phi); ++part.drawn) {
     VectorXd member = equilibrium;
     for (std::size_t k = 0; k < balls.size(); ++k) member[model::index::phi(balls[k])] = phi[k] + turn;
-    const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(system, member));
-    std::vector<std::complex<double>> rates(all.begin(), all.end());
-    std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
-    double largest = -1e300;
-    for (std::size_t k = zeros; k < rates.size(); ++k) largest = std::max(largest, rates[k].real());
+    const double largest = slowest_of(dense::eigenvalues(model::jacobian(system, member)), zeros);
     (largest < -zero_eigenvalue ? stable : growing).push_back(largest);
   }
   part.stable = static_cast<int>(stable.size());

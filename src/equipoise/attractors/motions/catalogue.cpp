@@ -54,10 +54,7 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::
     name.name += fmt::format(" ({})", earlier + 1);
     name.alias.clear();  // the paper's name belongs to one motion
   }
-  if (name.id == 0 || find(name.id)) {
-    name.id = first_free_id;
-    while (find(name.id)) ++name.id;
-  }
+  if (name.id == 0 || find(name.id)) name.id = free_id();
   const model::System system = system_of(p, motion);
   const bool partly = motion.kind == MotionKind::equilibrium && free_angles(system, motion.state) > 0;
   add({name.id, name.name, name.alias, motion,
@@ -68,10 +65,14 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::
 int Catalogue::add(const MotionName& name, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
   for (const Attractor& a : attractors_)
     if (name.id ? a.id == name.id : a.name == name.name) return a.id;
-  int id = name.id;
-  if (id == 0)
-    for (id = first_free_id; find(id);) ++id;
+  const int id = name.id ? name.id : free_id();
   add({id, name.name, name.alias, motion, continuum});
+  return id;
+}
+
+int Catalogue::free_id() const {
+  int id = first_free_id;
+  while (find(id)) ++id;
   return id;
 }
 

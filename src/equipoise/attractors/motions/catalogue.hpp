@@ -35,6 +35,8 @@ class Catalogue {
   void add(Attractor attractor);
 
  private:
+  int free_id() const;
+
   std::vector<Attractor> attractors_;  // sorted by identifier
   bool by_name_ = false;
 };
