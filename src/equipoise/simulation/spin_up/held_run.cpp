@@ -32,8 +32,8 @@ template <bool tilt>
 using OneBody = std::conditional_t<tilt, HWY_NAMESPACE::HybridFlow<double, model::any_count, true>,
                                    HWY_NAMESPACE::HeldFlow<double>>;
 
-// What is left of the way of a number that comes to rest: differences that shrink from d1 to d2 leave d2^2/(d1 - d2).
-class Approach {
+// How far a number still is from its limit: differences that shrink from d1 to d2 leave d2^2/(d1 - d2).
+class Convergence {
  public:
   void add(double value) {
     earlier_ = before_;
@@ -289,7 +289,7 @@ class HeldFollower {
     // What coasts, or is not damped, is not waited for; nor, for ever, a motor.
     const double patience = piece().prescribed || system().coasts() ? 5e3 : 2e5;  // rad
     double length = 4.0 * window_, angle = 0.0;
-    Approach speeds, peaks;
+    Convergence speeds, peaks;
     if (drive_.release_time < horizon) advance(std::max(t_, drive_.release_time));
     while (going() && !run_.steady && t_ < horizon && std::fabs(angle) < patience) {
       open_window();
