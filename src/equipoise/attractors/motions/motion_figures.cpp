@@ -39,22 +39,14 @@ TransientSettings one_window() {
   return settings;
 }
 
-// A system, and where its shaft is watched if it tilts.
-struct Watched {
-  const model::System& system;
-  const WatchedShaft& shaft;
-
+MotionFigures followed(const model::System& system, const WatchedShaft& shaft, const Motion& motion, double duration) {
   // The rotor's angle is 0 at the motion's state, unless the state contains it.
-  TransientSample sample(double t, const double* z) const {
+  const auto sample = [&](double t, const double* z) {
     const model::StateLayout& at = system.layout();
     const double psi = at.psi < 0 ? system.speed() * t : z[at.psi];
     if (!system.tilts()) return transient_sample(system.parameters(), psi, t, z);
     return transient_sample(system.parameters(), shaft, psi, t, z, z + at.tilt);
-  }
-};
-
-MotionFigures followed(const Watched& watched, const Motion& motion, double duration) {
-  const model::System& system = watched.system;
+  };
   TransientWatch watch(one_window());
   State z{};
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
@@ -62,7 +54,7 @@ MotionFigures followed(const Watched& watched, const Motion& motion, double dura
     watch.step_to(to, [&](double t) {
       State at;
       state_at(t, at.data());
-      return watched.sample(t, at.data());
+      return sample(t, at.data());
     });
   };
   if (motion.eventful && duration > 0.0) {  // rates may jump at events
@@ -70,14 +62,14 @@ MotionFigures followed(const Watched& watched, const Motion& motion, double dura
     long events = -1;
     run.advance(duration, [&](double from, double to, auto& state_at) {
       state_at(from, z.data());
-      if (events != run.events()) watch.begin(watched.sample(from, z.data()));
+      if (events != run.events()) watch.begin(sample(from, z.data()));
       events = run.events();
       step(to, state_at);
       return false;
     });
     return figures_of(watch.sums());
   }
-  watch.begin(watched.sample(0.0, z.data()));
+  watch.begin(sample(0.0, z.data()));
   if (!(duration > 0.0)) return figures_of(watch.sums());
   const auto follow = [&]<class Source>(Source) {
     kernels::SmoothRun<Source>(system, 0.0, figure_tolerance)
@@ -115,7 +107,7 @@ bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
 MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, const WatchedShaft& shaft) {
   if (balanced_exactly(p, motion)) return {};
   const model::System system = system_of(p, motion);
-  MotionFigures figures = followed({system, shaft}, motion, stretch(p, motion));
+  MotionFigures figures = followed(system, shaft, motion, stretch(p, motion));
   const bool at_centre = shaft.places == std::array<double, 2>{};  // of which the motion tells
   if (at_centre || !p.tilts()) figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
