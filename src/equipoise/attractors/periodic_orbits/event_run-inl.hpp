@@ -67,8 +67,7 @@ class EventRun {
       : system_(system),
         machine_layout_(model::machine_layout(n())),
         begin_(beginning(y, psi)),
-        drive_(drive(system)),
-        machine_(system_.parameters(), drive_, scale, begin_.data(), begin_[machine_layout_.error]),
+        machine_(system_.parameters(), drive(system), scale, begin_.data(), begin_[machine_layout_.error]),
         equations_(system_, psi, machine_.mode()) {}
   EventRun(const EventRun&) = delete;
   EventRun& operator=(const EventRun&) = delete;
@@ -147,7 +146,6 @@ class EventRun {
   const model::System system_;
   const model::StateLayout machine_layout_;
   const std::array<double, dimension> begin_;
-  const model::Drive drive_;
   Machine machine_;
   mutable ModeEquations equations_;  // keeps to the machine's mode
 };

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
@@ -46,22 +47,22 @@ class EventTrajectory {
 
   // `z`: dimension(n) numbers at t = 0 (machine/model/parameters.hpp), then the four of a tilt. `error`: the integral
   // of the speed error there.
-  EventTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z,
+  EventTrajectory(const model::Parameters& p, model::Drive drive, const Scale& scale, const double* z,
                   double error = 0.0)
       : n(p.balls),
         p_(p),
-        drive_(drive),
+        drive_(std::move(drive)),
         scale_(scale),
         modes_(p),
-        flow_(p, drive.pieces.front(), &modes_),
+        flow_(p, drive_.pieces.front(), &modes_),
         balls_(p, flow_, modes_) {
     std::copy(z, z + model::dimension(n), state_.begin());
     if constexpr (tilt) std::copy_n(z + model::dimension(n), 4, &state_[layout().tilt]);
-    state_[layout().psi] = drive.psi;
-    state_[layout().speed] = drive.speed;
+    state_[layout().psi] = drive_.psi;
+    state_[layout().speed] = drive_.speed;
     state_[layout().error] = error;
-    if (drive.release_speed) rising_ = *drive.release_speed > drive.speed;
-    clamped_ = drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed);
+    if (drive_.release_speed) rising_ = *drive_.release_speed > drive_.speed;
+    clamped_ = drive_.release_time > 0.0 && !(drive_.release_speed && *drive_.release_speed == drive_.speed);
     if (clamped_)
       balls_.clamp(state_.data());
     else
@@ -181,7 +182,7 @@ class EventTrajectory {
 
   const model::BallCount<room> n;
   const model::Parameters& p_;
-  const model::Drive& drive_;
+  const model::Drive drive_;
   Scale scale_;
   ModeTable<double, room> modes_;
   Flow flow_;

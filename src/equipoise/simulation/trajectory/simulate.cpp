@@ -48,56 +48,39 @@ void check_overlap(const Study& study) {
     }
 }
 
-// A study as a machine from event to event: drive, error scale and state at t = 0.
-template <bool tilt>
-class MachineRun {
- public:
-  using Machine = kernels::EventTrajectory<model::any_count, tilt>;
-
-  // The study outlives it.
-  explicit MachineRun(const Study& study)
-      : drive_(study.drive()), machine_(study.parameters, drive_, scale_of(study), first_state(study, drive_).data()) {}
-  MachineRun(const MachineRun&) = delete;
-  MachineRun& operator=(const MachineRun&) = delete;
-
-  Machine& machine() { return machine_; }
-
- private:
-  static typename Machine::Scale scale_of(const Study& study) {
-    return kernels::machine_scale<Machine::dimension>(study.parameters,
-                                                      study.numerics.tolerance.value_or(default_simulate_tolerance));
-  }
-  static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
-    std::array<double, Machine::dimension> z{};
-    const InitialState start = parted(study.parameters, study.initial);
-    const int balls = study.parameters.balls;
-    initial_state(start, balls, drive.speed, z.data(), tilt ? model::dimension(balls) : -1);
-    return z;
-  }
-
-  const model::Drive drive_;
-  Machine machine_;
-};
-
+// A study as a machine from event to event, from t = 0 on.
 class AnyMachine {
  public:
   // The study outlives it.
   explicit AnyMachine(const Study& study) {
     if (study.parameters.tilts())
-      run_.emplace<MachineRun<true>>(study);
+      begin<true>(study);
     else
-      run_.emplace<MachineRun<false>>(study);
+      begin<false>(study);
   }
 
   // Calls f with the trajectory.
   template <class F>
   decltype(auto) with(F&& f) {
-    if (auto* plane = std::get_if<MachineRun<false>>(&run_)) return f(plane->machine());
-    return f(std::get<MachineRun<true>>(run_).machine());
+    if (auto* plane = std::get_if<Machine<false>>(&run_)) return f(*plane);
+    return f(std::get<Machine<true>>(run_));
   }
 
  private:
-  std::variant<std::monostate, MachineRun<false>, MachineRun<true>> run_;
+  template <bool tilt>
+  using Machine = kernels::EventTrajectory<model::any_count, tilt>;
+
+  template <bool tilt>
+  void begin(const Study& study) {
+    const model::Parameters& p = study.parameters;
+    const model::Drive drive = study.drive();
+    std::array<double, Machine<tilt>::dimension> z{};
+    initial_state(parted(p, study.initial), p.balls, drive.speed, z.data(), tilt ? model::dimension(p.balls) : -1);
+    const double tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
+    run_.emplace<Machine<tilt>>(p, drive, kernels::machine_scale<Machine<tilt>::dimension>(p, tolerance), z.data());
+  }
+
+  std::variant<std::monostate, Machine<false>, Machine<true>> run_;
 };
 
 void check_times(const std::vector<double>& times) {
