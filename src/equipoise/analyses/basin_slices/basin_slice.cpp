@@ -26,6 +26,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
+#include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
