@@ -126,7 +126,7 @@ class Boundary {
     }
     BasinOptions options = plan_.ensemble(*workers_);
     if (const auto* near = nearest(value)) options.warm_start_states = near->states;
-    options.warm_start = !options.warm_start_states.empty();
+    options.search = options.warm_start_states.empty() ? SearchMode::full : SearchMode::warm;
     Catalogue catalogue;
     const BasinResult result = basin(study, options, &catalogue);
     if (result.partial) return std::nullopt;

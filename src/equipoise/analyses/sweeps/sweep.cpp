@@ -77,7 +77,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& wor
     BasinOptions options = plan.ensemble(workers);
     options.searches = &searches;
     options.warm_start_states = states;
-    options.warm_start = !states.empty();
+    options.search = states.empty() ? SearchMode::full : SearchMode::warm;
     options.warm_start_levels = &levels;
     Catalogue catalogue;
     WarmStartLevels found;

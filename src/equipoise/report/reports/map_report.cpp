@@ -41,7 +41,7 @@ std::string scales_text(const SliceFigures& f) {
 // How basins lie in each other.
 DocumentTable figures_table(const SliceFigures& f) {
   DocumentTable table{{"how basins lie in each other", "value", "95 % interval"}};
-  const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
+  const auto row = [&](const char* name, const std::optional<Estimate>& figure) {
     if (figure)
       table.rows.push_back(row_of("tnn", {name, fmt::format("{:.3f}", figure->value),
                                           fmt::format("{:.3f} to {:.3f}", figure->low, figure->high)}));

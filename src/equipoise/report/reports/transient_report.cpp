@@ -255,12 +255,14 @@ DocumentTable way_table(const BasinResult& r) {
     const auto told = [&](const TransientGroup& group, std::size_t quantile) {
       figures.push_back(quantile_text(group, k, quantile, unit.size));
     };
-    if (none)
-      for (const OneBodyRuns* body : {&none->bare, &none->held})
+    if (none) {
+      for (const OneBodyRuns* body : {&none->bare, &none->held}) {
         if (f.of_bare_rotor)
           told(body->figures, 0);
         else
           figures.emplace_back("-");
+      }
+    }
     for (std::size_t quantile = 0; quantile < 3; ++quantile) told(with, quantile);
     const auto limit = limit_of(f);
     if (limit != transient_limits.end()) {
