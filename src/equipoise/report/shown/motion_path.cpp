@@ -8,8 +8,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
-#include "equipoise/machine/model/ball_count.hpp"
-#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/attractors/periodic_orbits/event_run-inl.hpp"
 #include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
@@ -95,16 +93,13 @@ void take_until(double to, StateAt& state_at, PathTaker& taker) {
 // Of a rotor that tilts, whose balls meet no event.
 void follow_tilting(const model::System& system, const Motion& motion, double duration, PathTaker& taker,
                     const StopFlag* stop) {
-  using Flow = kernels::SmoothFlow<double, model::any_count, true>;
-  const Flow flow(system, 0.0);
-  const auto scale = kernels::error_scale<Flow::dimension>(system, path_tolerance);
-  std::array<double, Flow::dimension> y{};
+  constexpr std::size_t size = kernels::TiltSource::dimension;
+  std::array<double, size> y{};
   std::copy_n(motion.state.data(), motion.state.size(), y.begin());
   taker.take(y.data());
-  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
-  integrator.advance(
-      0.0, duration, y.data(),
-      [&](double, double to, auto&& state_at) { take_until<Flow::dimension>(to, state_at, taker); }, stop);
+  kernels::SmoothRun<kernels::TiltSource>(system, 0.0, path_tolerance)
+      .advance(
+          duration, y.data(), [&](double, double to, auto&& state_at) { take_until<size>(to, state_at, taker); }, stop);
 }
 
 MotionPath followed_path(const model::System& system, const Motion& motion, double duration, int count, double place,
