@@ -1,4 +1,4 @@
-// What a benchmark run was asked for.
+// What a benchmark run has to measure.
 #pragma once
 
 #include <string>

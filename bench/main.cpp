@@ -1,4 +1,4 @@
-// equipoise_bench: how fast this engine is, beside its rivals and beside what the machine allows.
+// equipoise_bench: how fast this engine is, next to its rivals and next to what the machine allows.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

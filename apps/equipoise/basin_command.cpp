@@ -1,4 +1,4 @@
-// equipoise basin: the share of starts that comes to each attractor; equipoise report: the page for one machine.
+// equipoise basin: the share of starts that ends in each attractor; equipoise report: the page for one machine.
 #include <cmath>
 #include <cstdint>
 #include <memory>

@@ -60,7 +60,7 @@ Enumeration option_choice(const char* option, const std::string& text, const Nam
 
 /// --half-width H.
 double half_width_option(const std::string& text);
-/// --threads T; 0 if absent, for all cores. More threads than cores are made if asked for.
+/// --threads T; 0 if absent, for all cores. More threads than cores are made if requested.
 int threads_option(const std::optional<std::string>& text);
 
 /// What most commands take. One that lacks an option leaves its member as it is.
@@ -119,7 +119,7 @@ void add_no_changes(CLI::App& app, bool& no_changes);
 void add_wide(CLI::App& app);
 /// --details, of commands whose text has them.
 void add_details(CLI::App& app);
-/// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
+/// The style that was requested, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
 TextStyle text_style();
 
 }  // namespace equipoise::app

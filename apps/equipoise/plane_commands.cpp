@@ -78,8 +78,8 @@ FormMakers forms_of(const BasinSlice& map, const StudySource& source) {
 }
 
 /// Reads the study, computes and puts out. `made`: what errors call the result; `keeper`: where the command keeps its
-/// work; `settings(study)`: what it has besides axes. computed() and forms_of() are those of the settings and the
-/// result.
+/// work; `settings(study)`: what it has in addition to axes. computed() and forms_of() are those of the settings and
+/// the result.
 template <class Settings>
 int run_plane(const PlaneArguments& a, const char* made, Keeper keeper, const Settings& settings) {
   begin_computing(a);

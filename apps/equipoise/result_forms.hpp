@@ -1,4 +1,4 @@
-// What commands make of a result besides printing it: table, picture, page.
+// What commands make of a result in addition to printing it: table, picture, page.
 #pragma once
 
 #include <functional>

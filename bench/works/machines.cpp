@@ -1,4 +1,4 @@
-// Rotors beyond the paper's: what a start costs under a motor, gravity, contact, stiction, off the centre; beside an
+// Rotors beyond the paper's: what a start costs under a motor, gravity, contact, stiction, off the centre; next to an
 // older program if one is given.
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ struct StartCost {
 };
 
 // From ensembles of growing size, the last one long enough to be told from the smallest. `searches`: every run looks
-// for attractors anew, else the first alone.
+// for attractors again, else the first alone.
 template <class Run>
 StartCost cost_of(const Options& options, std::uint64_t few, bool searches, Run&& run) {
   const double first = run(few);

@@ -1,4 +1,4 @@
-// Rotors that nobody knows exactly, beside the same rotors known: what a start costs, and the search before the first.
+// Rotors that nobody knows exactly, next to the same rotors known: what a start costs, and the search before the first.
 #include <array>
 #include <string>
 #include <vector>

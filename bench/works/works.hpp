@@ -25,9 +25,9 @@ Json threads(const Options& options);
 Json balls(const Options& options);
 /// Sizes of an ensemble: time and memory.
 Json starts(const Options& options);
-/// Rotors with motors, gravity, contact, stiction; beside an older program.
+/// Rotors with motors, gravity, contact, stiction; next to an older program.
 Json machines(const Options& options);
-/// Studies with uncertain values beside the same with known ones.
+/// Studies with uncertain values next to the same with known ones.
 Json uncertain(const Options& options);
 /// What starts() runs in a process of its own; its result goes to standard output.
 int decide_as_child(std::uint64_t count, int threads, const std::string& output);

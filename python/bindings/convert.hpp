@@ -22,7 +22,7 @@ namespace py = pybind11;
 StudyValue value_from(const py::handle& object);
 py::object to_python(const StudyValue& value);
 
-/// The states of `array`, one a row of `width` numbers, each finite. Throws InputError naming `argument` otherwise.
+/// The states of `array`, one per row of `width` numbers, each finite. Throws InputError naming `argument` otherwise.
 std::vector<std::vector<double>> rows_from(const py::array& array, std::size_t width, const std::string& argument,
                                            const std::string& meaning);
 

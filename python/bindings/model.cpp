@@ -1,4 +1,4 @@
-// The model for methods of one's own: equations of motion over arrays of states, and a mapper of states to attractors.
+// The model for methods of your own: equations of motion over arrays of states, and a mapper of states to attractors.
 #include <algorithm>
 
 #include <pybind11/stl.h>

@@ -1,4 +1,4 @@
-"""What results over a plane share: their axes, as they are asked for and as they come back."""
+"""What results over a plane share: their axes, as they are requested and as they come back."""
 
 from __future__ import annotations
 

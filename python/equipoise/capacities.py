@@ -53,7 +53,7 @@ class CapacityResult(Result, WithPage):
     never: npt.NDArray[np.bool_] = _column("never", bool)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A row a cell."""
+        """A row per cell."""
         names = ("value", "low", "high", "always", "never")
         return optional("pandas").DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])
 

@@ -1,4 +1,4 @@
-"""Charts: curves in a plane of two parameters on which balance changes, and what is proved beside them."""
+"""Charts: curves in a plane of two parameters on which balance changes, and what is proved next to them."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Curve:
     lyapunov : ndarray
         First Lyapunov coefficient: growth rate per square of the largest swing, omega_c/rad^2. Negative: balance is lost softly.
     others : ndarray of int
-        Unstable eigenvalues, of cycles multipliers, besides those that cross: 0 where the motion itself loses stability.
+        Unstable eigenvalues, of cycles multipliers, in addition to those that cross: 0 where the motion itself loses stability.
     swing : ndarray
         Half of what the ball of a cycle covers that swings most, in rad; nan on other curves.
     """
@@ -106,7 +106,7 @@ class ChartResult(Result):
     specials : list[SpecialPoint]
     regions : list[dict]
         Connected parts of the grid by what is at rest there, the largest first: "states" in words, "balance", "locked" (by
-        name how many are "stable" and "unstable"), "part" of the grid, and the place "x", "y" farthest from its edge.
+        name how many are "stable" and "unstable"), "part" of the grid, and the place "x", "y" furthest from its edge.
     region_of : ndarray of int
         By point of the grid, rows following y: the number of its region.
     boxes : ndarray (n, 4)
@@ -155,7 +155,7 @@ def chart(
     boxes: int = 200000, undecided: float = 1.0, cycles: bool = False, output: Optional[str | os.PathLike[str]] = None,
     threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> ChartResult:
-    """Curves in a plane of two parameters on which balance changes, and what is proved beside them.
+    """Curves in a plane of two parameters on which balance changes, and what is proved next to them.
 
     Parameters
     ----------

@@ -66,7 +66,7 @@ class Comparison(SavedAsData, Result):
     changed: Optional[int] = member("changed")
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A row an outcome."""
+        """A row per outcome."""
         return optional("pandas").DataFrame([vars(d) for d in self.differences]).set_index("name")
 
     def __repr__(self) -> str:

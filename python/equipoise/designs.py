@@ -99,7 +99,7 @@ def design(
     seed : int, optional
         Of the starts.
     output : path, optional
-        NetCDF file of all ensembles, kept as they come; the same call goes on from it.
+        NetCDF file of all ensembles, kept as they come; the same call resumes from it.
     within : float or str, optional
         As for :func:`basin`; half of it is for the search, the rest for checking the best.
     threads, progress, cpu

@@ -34,7 +34,7 @@ _most_undecided = 0.01
 
 @dataclass(frozen=True)
 class AttractorShare:
-    """Starts that came to one attractor.
+    """Starts that ended in one attractor.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ def _array(name: str) -> Any:
 
 
 class BasinResult(Result):
-    """Shares of the starts that come to each attractor, and every start.
+    """Shares of the starts that end in each attractor, and every start.
 
     Attributes
     ----------
@@ -134,7 +134,7 @@ class BasinResult(Result):
 
     @property
     def undecided(self) -> float:
-        """Share of the starts that came to no attractor by the horizon."""
+        """Share of the starts that ended in no attractor by the horizon."""
         return self.data["undecided"]["share"]
 
     @property
@@ -234,7 +234,7 @@ class BasinResult(Result):
         return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any; what the
+        """A table with a row per start: initial angles, outcome by name, decision time, transients if there are any; what the
         start drew by key, the cells that it stands for and the rotor's speed in the end where the study has such."""
         pandas = optional("pandas")
         columns: dict[str, Any] = {f"phi_{i + 1}": self.phi[:, i] for i in range(self.phi.shape[1])}
@@ -321,7 +321,7 @@ def basin(
         Instruction set, one of ``cpu_targets()``. Calls that run at the same time must not name different ones.
     within : float or str, optional
         Seconds, or "60s", "10min", "1.5h": after this time the call returns what is known by then, and ``partial`` of it
-        is True. With `output` the same call goes on from there.
+        is True. With `output` the same call resumes from there.
 
     Raises
     ------

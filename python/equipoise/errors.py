@@ -56,4 +56,4 @@ class Interrupted(KeyboardInterrupt):
 
 
 class UndecidedWarning(UserWarning):
-    """More than 1 % of the starts came to no attractor by the horizon."""
+    """More than 1 % of the starts ended in no attractor by the horizon."""

@@ -30,7 +30,7 @@ class Inspection(SavedAsData):
         In words; "" of a sound file.
     sound : bool
     complete : bool or None
-        Whether all is there that was asked for; None where the file does not say.
+        Whether all is there that was requested; None where the file does not say.
     facts : dict[str, str]
         Starts, cells, what varies.
     study : Study or None

@@ -42,7 +42,7 @@ class Model:
     dimension : int
     names, units : list[str]
     breakpoints : list[float]
-        Times where the equations have a corner: an integrator has to end a step there, and begin anew.
+        Times where the equations have a corner: an integrator has to end a step there, and begin again.
     pieces : list[tuple[float, float, bool]]
         Begin, end, and whether the balls are held; the same cut.
     release_time : float
@@ -191,7 +191,7 @@ class Model:
         return self._state_of(rows, self._speed(end, rows, min(piece + 1, len(self.pieces) - 1)))
 
     def released_at(self, t: float) -> Model:
-        """The same with the balls let go at `t`, of a driven rotor that lets go at a speed."""
+        """The same with the balls released at `t`, of a driven rotor that lets go at a speed."""
         model = type(self).__new__(type(self))
         model._equations, model.study, model._released_at = self._equations.released_at(t), self.study, t
         model.frame = self.frame
@@ -239,7 +239,7 @@ class Mapper:
     """Classifies states by the attractor that they come to, with the decisions of :func:`basin`, bit for bit.
 
     The attractors are searched for once, when it is made; then ``mapper(state)`` takes micro- to milliseconds. Safe from
-    several threads. One that is pickled, to work in another process say, searches anew there.
+    several threads. One that is pickled, to work in another process say, searches again there.
 
     States are followed to ``numerics.tolerance`` (default 1e-6). Whoever tracks a border of basins to less than about 1e-5
     gives the study a smaller one: ``Mapper(study.replace({"numerics.tolerance": 1e-12}))``.

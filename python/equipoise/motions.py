@@ -315,7 +315,7 @@ class BranchesResult(_Named[Branch]):
         return f"<b>{escape(self.study.name)}</b>" + table(head, rows)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A row a value and branch."""
+        """A row per value and branch."""
         pandas = optional("pandas")
         names = ("id", "name", "kind", "stable", "r_min", "r_mean", "r_max", "multiplier", "growth_rate")
         frames = [
@@ -351,7 +351,7 @@ def follow(
     low, high, step : float or str
         Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
     starts : int
-        Random starts searched at every value, and half-way between, besides the pilot's; 0: 2000.
+        Random starts searched at every value, and half-way between, in addition to the pilot's; 0: 2000.
     states : State, or array_like (n, 4 + 2 balls), optional
         States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot. Whatever the
         value, their velocity in the room is that which they have at the study's own final speed.

@@ -22,7 +22,7 @@ def is_quantity(value: Any) -> bool:
 
 
 def plain(value: Any) -> Any:
-    """Numbers of NumPy as Python's, quantities of pint as text with units, all that is nested likewise."""
+    """Numbers of NumPy as Python's, quantities of pint as text with units, all that is nested also."""
     if is_quantity(value):
         base = value.to_base_units()
         unit = format(base.units, "~C").replace("**", "^")
@@ -202,7 +202,7 @@ class Study:
     @property
     def parameters(self) -> dict[str, Any]:
         """What the equations are computed with: the keys of [rotor] and [balancer], dimensionless whatever the units of
-        the study; pairs [x, y], or lists with one a ball. "tilt": a dictionary of the keys of [rotor.tilt]; None of a
+        the study; pairs [x, y], or lists with one per ball. "tilt": a dictionary of the keys of [rotor.tilt]; None of a
         rotor that does not tilt. Uncertain values at their medians."""
         return self._core.parameters
 
@@ -213,7 +213,7 @@ class Study:
 
     @property
     def release_time(self) -> float:
-        """When the balls are let go, in 1/omega_c."""
+        """When the balls are released, in 1/omega_c."""
         return self._core.release_time
 
     @property
@@ -285,7 +285,7 @@ class Study:
 
 
 def paper_studies() -> list[str]:
-    """Names of the studies of Wright and Peng (2019): one a row of their tables."""
+    """Names of the studies of Wright and Peng (2019): one per row of their tables."""
     return list(_core.paper_studies())
 
 

@@ -122,7 +122,7 @@ class SweepResult(Result, WithPage):
         return f"<b>{escape(self.study.name)}</b>" + table(("cell", "starts", "balanced (95 %)", "undecided"), rows)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Tidy: a row a cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
+        """Tidy: a row per cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
         names = ("id", "name", "share", "low", "high", "count")
         frame = optional("pandas").DataFrame([
             {**cell["at"], **{name: o[name] for name in names}, "starts": cell["starts"], "undecided": cell["undecided"]["share"]}

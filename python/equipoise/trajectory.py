@@ -36,7 +36,7 @@ class Trajectory:
     x, y, x_dot, y_dot : ndarray (n,)
         Centre of the race in the rotating frame, and its rates.
     tilt_x, tilt_y, tilt_x_dot, tilt_y_dot : ndarray (n,)
-        Slope of the shaft in the rotating frame (rad), and its rates; only of a rotor that tilts.
+        Slope of the shaft in the rotating frame (rad), and its rates; only of a tilting rotor.
     phi, phi_dot : ndarray (n, balls)
         Ball angles in the rotating frame (rad, unwrapped) and their rates.
     states : State (n,)

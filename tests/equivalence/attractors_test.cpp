@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {6, "pair drift", "", orbit, .0008, .0097}}}),
     [](const auto& info) { return info.param.label; });
 
-// States near V4 and near the motion of five times its period beside it, at Omega = 4.4.
+// States near V4 and near the motion of five times its period next to it, at Omega = 4.4.
 const std::vector<double> near_v4{0.0528067, -0.0762854, 0.277856,   0.165906,
                                   1.9580073, 2.1527421,  -1.0849954, -0.6289745};
 const std::vector<double> near_period_20{0.0305819, -0.0883728, 0.3280828,  0.1462239,

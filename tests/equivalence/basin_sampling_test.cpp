@@ -157,7 +157,7 @@ TEST(HalfWidth, ChoosesSobolStartsWhereTheyAreCheaper) {
   EXPECT_NEAR(a.choice->random_starts, 57370, 500);
   EXPECT_LT(static_cast<double>(a.starts), 0.8 * a.choice->random_starts);
   for (const OutcomeShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.004);
-  // The file has Sobol starts, as if asked for: the same command reads it, and more of them extend it.
+  // The file has Sobol starts, as if requested: the same command reads it, and more of them extend it.
   EXPECT_EQ(basin(study, two).resumed_from, b.starts);
   BasinOptions longer;
   longer.output = two.output;

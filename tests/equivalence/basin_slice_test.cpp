@@ -135,7 +135,7 @@ TEST(BasinSlice, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
         }
         // Orbits are refined to 1e-11; tori and chaos are measured. For rotors that differ the last window decides: it
         // is trusted once windows agree to 2 % (ClassificationRule::sameness), while a remainder may still be dying
-        // out. Beside a period doubling 1.2 % was measured.
+        // out. Next to a period doubling 1.2 % was measured.
         if (alone && alone->kind <= MotionKind::periodic) {
           const double tolerance = maps_starts(map) ? 1e-8 : 0.02 * alone->r_max + 1e-8;
           EXPECT_NEAR(map.r_max[at], alone->r_max, tolerance) << column << ", " << row;
@@ -182,7 +182,7 @@ int compare_with_long(const BasinSlice& map, double slack) {
       const double r = r_max_after_long(study);
       ++compared;
       if (agrees(r)) continue;
-      // Beside a boundary of basins the last digits decide; neighbours show what the outcome may be.
+      // Next to a boundary of basins the last digits decide; neighbours show what the outcome may be.
       bool beside = false, one_agrees = false;
       for (const double aside : {-1e-6, 1e-6, -1e-5, 1e-5}) {
         study.initial.phi[0] += aside;

@@ -207,7 +207,7 @@ TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
   EXPECT_THROW(basin(other, options), InputError);
 }
 
-// What a file states is true of all that it holds, whatever was asked for last.
+// What a file states is true of all that it holds, whatever was requested last.
 void expect_consistent(const std::string& path, const Study& study, std::uint64_t starts, bool complete) {
   const BasinFile file(path, basin_file_header(study, true));
   EXPECT_EQ(file.stored(), starts);

@@ -95,7 +95,7 @@ InPlanes by_hand(double factor) {
   return {factor * (own + plane + place), factor * (20.0 * plane - 30.0 * place + misaligned)};
 }
 
-// Planes, places and the couple of a rotor that tilts grow in proportion, and none of them counts twice.
+// Planes, places and the couple of a tilting rotor grow in proportion, and none of them counts twice.
 TEST(Capacity, OfARotorThatTiltsScalesAllItsUnbalances) {
   const StudySource source{spindle, "spindle", {}}, one = with_unbalance(source, {});
   EXPECT_TRUE(one.states("rotor.unbalance"));

@@ -12,7 +12,7 @@ namespace cases {
 struct Case {
   std::string name;
   equipoise::Study study;
-  double release;  ///< when the balls are let go, by hand from the study's release rule
+  double release;  ///< when the balls are released, by hand from the study's release rule
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }

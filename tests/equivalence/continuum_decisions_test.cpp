@@ -143,7 +143,7 @@ int come_to_rest(const Study& study, std::size_t count, double end) {
     BatchTask alone = source.task(0, again);
     alone.end = fates[i].time;
     EXPECT_TRUE(classify_batch(alone, never, open, nullptr));
-    // The last step ends at the time of decision, which rounding may place beside the end of the step before.
+    // The last step ends at the time of decision, which rounding may place next to the end of the step before.
     for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
     alone.segment.psi = source.segments().back().psi_at(fates[i].time);

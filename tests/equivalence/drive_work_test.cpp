@@ -156,7 +156,7 @@ void expect_motor_work(const std::string& text) {
     const StartReplay replay = replay_start(study, i, options);
     ASSERT_TRUE(replay.transients);
     const double work = motor_work(study, replay, replay.fate.time);
-    // Linear across the step in which balls are let go; ways differ by the lanes' tolerance.
+    // Linear across the step in which balls are released; ways differ by the lanes' tolerance.
     EXPECT_NEAR(replay.transients->energy, work, 1e-3 * work) << text << i;
   }
 }

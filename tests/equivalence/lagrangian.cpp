@@ -213,7 +213,7 @@ void check(int flag, const char* what) {
   if (flag < 0) throw std::runtime_error(std::string("SUNDIALS: ") + what + " returned " + std::to_string(flag));
 }
 
-// What the right-hand side needs besides the state.
+// What the right-hand side needs in addition to the state.
 struct Problem {
   const Parameters* parameters;
   const PrescribedRotation* rotation;

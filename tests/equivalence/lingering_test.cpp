@@ -97,7 +97,7 @@ TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
   const Study study = parse_study(wandering, "wandering");
   const Session runner(study, {.threads = 2});
   expect_own_features(runner);
-  // At t = 5788 it seemed to have come to the orbit, and left by t = 12 000.
+  // At t = 5788 it seemed to have end in the orbit, and left by t = 12 000.
   constexpr std::uint64_t start = 1342;
   const int late = comes_to(study, runner, start, 20000.0);
   ASSERT_GT(late, 0);

@@ -118,7 +118,7 @@ TEST(MachinePage, RunsHaveThePeaksThatWereGathered) {
   EXPECT_FLOAT_EQ(static_cast<float>(page.runs[1].peak), static_cast<float>(peak.quantiles[0].value));
   EXPECT_FLOAT_EQ(static_cast<float>(page.runs[2].peak), static_cast<float>(peak.quantiles[2].value));
   EXPECT_EQ(page.runs[0].peak, page.basin.without_balls->bare.figures.figure(&TransientRow::peak_radial).largest);
-  // The rotor without balls comes to the amplitude of the textbook.
+  // The rotor without balls ends in the amplitude of the textbook.
   EXPECT_NEAR(page.runs[0].at_end, 0.01 * 5.76 / std::hypot(1.0 - 5.76, 1.2), 1e-5);
   for (const ShownRun& run : page.runs) {
     EXPECT_NEAR(run.again, run.peak, 0.02 * run.peak);  // sixteen samples per turn

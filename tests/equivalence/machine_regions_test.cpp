@@ -136,7 +136,7 @@ TEST(MachineRegions, AContinuumIsSampledForEverySmoothSystem) {
   }
 }
 
-// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion and falls beside it as
+// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion and falls next to it as
 // designed, like e^{-1.6 rate t} or faster.
 TEST(MachineRegions, CyclesUnderAMotorAreToldByTheRotorsAngle) {
   model::Parameters heavy = under_gravity(rotor());

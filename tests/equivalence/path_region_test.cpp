@@ -103,7 +103,7 @@ TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
     ASSERT_TRUE(motion) << i;
     EXPECT_EQ(motion_name(study.parameters, *motion).name, a->name) << i;
   }
-  // 70 % of all starts come to one of the two; windows would take 1500 units or more to decide.
+  // 70 % of all starts end in one of the two; windows would take 1500 units or more to decide.
   EXPECT_GT(caught, 40);
 }
 

@@ -167,7 +167,7 @@ TEST(StandardsOfStarts, SlowRotorsHaveNoZone) {
   EXPECT_FALSE(holds(standards_text(run(machine)), "no zone is given"));
 }
 
-// A rotor alone is judged as the same rotor beside its balls is.
+// A rotor alone is judged as the same rotor next to its balls is.
 TEST(StandardsOfStarts, JudgeARotorWithoutBallsToo) {
   const auto beside = standards_json(run(machine));
   const BasinResult r = run(machine, {"balancer.balls=0"});

@@ -1,4 +1,4 @@
-// What a rotor that tilts comes to, beside equations and trajectories in fixed axes: equilibria, eigenvalues, fates.
+// What a tilting rotor comes to, next to equations and trajectories in fixed axes: equilibria, eigenvalues, fates.
 #include <gtest/gtest.h>
 
 #include <algorithm>

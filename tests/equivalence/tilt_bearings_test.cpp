@@ -1,4 +1,4 @@
-// Forces of single bearings of a rotor that tilts: when they are told, and what a couple does to them.
+// Forces of single bearings of a tilting rotor: when they are told, and what a couple does to them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,9 @@ TEST(TiltBearings, FollowFromTheirSums) {
 
 // Three like springs at 3, 0 and -3 make the long rotor's supports where the outer two have all the moment, 9.
 const std::string three_at = "rotor.tilt.bearings_at=[3, 0, -3]";
-const std::vector<std::string> three{three_at, "rotor.tilt.stiffness=[0, 6]", "rotor.tilt.damping=[0, 0.9]",
+const std::vector<std::string> three{three_at,
+                                     "rotor.tilt.stiffness=[0, 6]",
+                                     "rotor.tilt.damping=[0, 0.9]",
                                      "rotor.tilt.bearings_stiffness=[0.3333333, 0.3333333, 0.3333333]",
                                      "rotor.damping=0.2",
                                      "rotor.tilt.bearings_damping=[0.05, 0.05, 0.1, 0.1, 0.05, 0.05]"};
@@ -85,7 +87,8 @@ TEST(TiltBearings, MoreThanTwoAreStatedOneByOne) {
   };
   for (const auto& [overrides, part] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{damping}, "rotor.tilt.bearings_damping"},  // their moment is 1.8, not 0.9
-           {{"rotor.tilt.stiffness=[0, 9]"}, "must add up, with its moments about the centre of mass, to rotor.stiffness and"},
+           {{"rotor.tilt.stiffness=[0, 9]"},
+            "must add up, with its moments about the centre of mass, to rotor.stiffness and"},
            {{"rotor.tilt.bearings_stiffness=[0.5, 0.5]"}, "of 3 numbers, one a bearing"},
            {{"rotor.tilt.bearings_stiffness=[0.5, -0.1, 0.6]"}, "entry 2 must be a finite number at least 0"},
            {{"rotor.tilt.bearings_at=[3, 0, -3, 1, 1, 1, 1, 1, 1]"}, "at most 8"}})
@@ -97,7 +100,8 @@ TEST(TiltBearings, MoreThanTwoAreStatedOneByOne) {
 // With a couple alone, all supports together take next to nothing, and each bearing its share.
 TEST(TiltBearings, TakeACouple) {
   const auto told = [](const std::string& bearings, double limit) {
-    Study study = long_rotor_with(damped({bearings, "rotor.eccentricity=1e-9", "speed.speed=3.0", "sampling.starts=8"}));
+    Study study =
+        long_rotor_with(damped({bearings, "rotor.eccentricity=1e-9", "speed.speed=3.0", "sampling.starts=8"}));
     if (limit > 0.0) study.limits.force = limit;
     BasinOptions options;
     options.transients = true;

@@ -1,4 +1,4 @@
-// Proofs about balance of rotors that tilt: proved, checked from their own data, true of the equations in fixed axes,
+// Proofs about balance of tilting rotors: proved, checked from their own data, true of the equations in fixed axes,
 // and refuted once anything in them is changed.
 #include <gtest/gtest.h>
 
@@ -124,7 +124,7 @@ TEST(TiltCertificate, SaysWhyThereIsNone) {
   EXPECT_NE(reason({"rotor.stiffness=[1, 1.1]"}).find("need equal values in x and y"), std::string::npos);
   EXPECT_NE(reason({"balancer.mass=0.001"}).find("no balanced state exists"), std::string::npos);
   EXPECT_NE(reason({"speed.speed=1"}).find("not linearly stable"), std::string::npos);
-  // The reasons of one plane's continuum are not those of a rotor that tilts.
+  // The reasons of one plane's continuum are not those of a tilting rotor.
   EXPECT_EQ(proofs({"balancer.plane=[2, 2, -2, -2]", "rotor.eccentricity=0", "rotor.tilt.misalignment=0"}).note,
             plane_with_nothing_to_cancel);
   EXPECT_EQ(proofs({"balancer.balls=6", "balancer.plane=[2, 2, 2, -2, -2, -2]", "initial.phi=[0, 1, 2, 3, 4, 5]"}).note,

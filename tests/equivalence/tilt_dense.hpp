@@ -1,4 +1,4 @@
-// Trajectories of a rotor that tilts in fixed axes, sampled densely, and what transients are by these samples.
+// Trajectories of a tilting rotor in fixed axes, sampled densely, and what transients are by these samples.
 #pragma once
 
 #include <array>

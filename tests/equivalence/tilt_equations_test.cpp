@@ -1,4 +1,4 @@
-// The equations of a rotor that tilts against a second formulation: Lagrange's equations in fixed axes, solved with
+// The equations of a tilting rotor against a second formulation: Lagrange's equations in fixed axes, solved with
 // their full mass matrix, on random rotors, balls, planes and states; at prescribed motions and under motors.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What explain says of a rotor that tilts, against the equations' eigenvalues and against trajectories.
+// What explain says of a tilting rotor, against the equations' eigenvalues and against trajectories.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ TEST(TiltExplain, HeldBallsLowerWhirlSpeeds) {
   for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(forward[k], wanted[k], 1e-14);
 }
 
-// With supports that differ unbalance meets every one of them: beside it the shaft shakes less.
+// With supports that differ unbalance meets every one of them: next to it the shaft shakes less.
 TEST(TiltExplain, UnequalSupportsHaveFourResonances) {
   model::Parameters p = parse_study(drum, "drum",
                                     {"rotor.tilt.bearings.1.stiffness=['9 kN/m', '14 kN/m']",

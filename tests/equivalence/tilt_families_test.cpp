@@ -1,4 +1,4 @@
-// Rotors that tilt, each with values of its own: every start comes to what its rotor, known exactly, comes to.
+// Tilting rotors, each with values of its own: every start comes to what its rotor, known exactly, comes to.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A rotor that tilts by Lagrange's equations in fixed axes with their full mass matrix, independent of the library's
+// A tilting rotor by Lagrange's equations in fixed axes with their full mass matrix, independent of the library's
 // equations.
 #pragma once
 

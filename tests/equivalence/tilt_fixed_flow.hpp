@@ -1,4 +1,4 @@
-// Trajectories, fates and eigenvalues of a rotor that tilts in fixed axes.
+// Trajectories, fates and eigenvalues of a tilting rotor in fixed axes.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ VectorXd fixed_rate(const model::System& system, const VectorXd& y);
 
 Eigen::VectorXcd fixed_eigenvalues(const model::System& system, const VectorXd& y);
 
-// The farthest that an eigenvalue of `a` is from the nearest one of `b`.
+// The furthest that an eigenvalue of `a` is from the nearest one of `b`.
 inline double farthest(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
   double worst = 0.0;
   for (const Complex& value : a) worst = std::max(worst, (b.array() - value).abs().minCoeff());

@@ -1,5 +1,5 @@
-// The balance grade of a rotor that tilts: its unbalance in the planes of two bearings, beside trajectories in fixed
-// axes that are sampled densely, beside a rotor that cannot tilt, and by hand.
+// The balance grade of a tilting rotor: its unbalance in the planes of two bearings, next to trajectories in fixed
+// axes that are sampled densely, next to a rotor that cannot tilt, and by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ensembles of a rotor that tilts, with transients: beside trajectories in fixed axes and beside a rotor that cannot
+// Ensembles of a tilting rotor, with transients: next to trajectories in fixed axes and next to a rotor that cannot
 // tilt; what is said of them, and the page for such a machine.
 #include <gtest/gtest.h>
 

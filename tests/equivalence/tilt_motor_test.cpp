@@ -1,4 +1,4 @@
-// Rotors that tilt under a motor: fates and transients are those of trajectories in fixed axes.
+// Tilting rotors under a motor: fates and transients are those of trajectories in fixed axes.
 #include <gtest/gtest.h>
 
 #include <string>

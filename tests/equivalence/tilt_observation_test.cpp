@@ -1,4 +1,4 @@
-// Observed displacements of rotors that tilt: those of trajectories in fixed axes at the bearing that is farther out.
+// Observed displacements of tilting rotors: those of trajectories in fixed axes at the bearing that is further out.
 #include <gtest/gtest.h>
 
 #include <algorithm>

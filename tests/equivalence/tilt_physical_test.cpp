@@ -1,4 +1,4 @@
-// A rotor that tilts, as a data sheet states it: bearings, inertias and unbalance in planes in SI units. The reference
+// A tilting rotor, as a data sheet states it: bearings, inertias and unbalance in planes in SI units. The reference
 // is written in metres and kilograms, bearing by bearing and mass by mass, in fixed axes, with an integrator of its
 // own.
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ struct Plane {
   double at, size, angle;
 };
 
-// In SI units, written anew from the text above.
+// In SI units, written again from the text above.
 struct Drum {
   double mass = 40.0, gravity = 9.81, transverse = 2.4, polar = 1.5, radius = 0.25;
   std::vector<Bearing> bearings{{0.15, {22e3, 30e3}, {500.0, 500.0}}, {-0.2, {18e3, 18e3}, {400.0, 450.0}}};
@@ -335,7 +335,8 @@ TEST(TiltPhysical, SaysWhatItNeeds) {
            {{"rotor.tilt.polar_inertia=2.4 kg m2"}, "rotor.tilt.polar_inertia", "must differ more"},
            {{"rotor.tilt.polar_inertia=5 kg m2"}, "rotor.tilt.polar_inertia", "at most twice"},
            {{"rotor.tilt.transverse_inertia=2.4"}, "rotor.tilt.transverse_inertia", "is a plain number"},
-           {{"limits={force='200 N'}", "standards={standing_mass='60 kg', friction=0.3}"}, "limits.force",
+           {{"limits={force='200 N'}", "standards={standing_mass='60 kg', friction=0.3}"},
+            "limits.force",
             "state one of the two"},
            {{"balancer.plane=[0.2, -0.2, 0.2]"}, "balancer.plane", "entry 1 is a plain number"},
            {{"balancer.ball_diameter=30 mm"}, "balancer.rolls", "state balancer.rolls = false"},

@@ -1,4 +1,4 @@
-// A rotor that tilts in fixed axes: equations, trajectories, eigenvalues and transients by dense samples. Compiled once
+// A tilting rotor in fixed axes: equations, trajectories, eigenvalues and transients by dense samples. Compiled once
 // for all tests, and optimised: most of their time is spent here.
 #include <gtest/gtest.h>
 

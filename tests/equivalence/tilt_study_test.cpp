@@ -1,4 +1,4 @@
-// Studies of rotors that tilt: read, refused and echoed; and their trajectories against an integration in fixed axes.
+// Studies of tilting rotors: read, refused and echoed; and their trajectories against an integration in fixed axes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -255,7 +255,7 @@ TEST(TiltStudy, SimulatesAsFixedAxesDo) {
   }
 }
 
-// Rates beside those in fixed axes, slopes beside differences, and the energy that the powers account for.
+// Rates next to those in fixed axes, slopes next to differences, and the energy that the powers account for.
 TEST(TiltStudy, HasEquationsForOtherIntegrators) {
   std::vector<std::string> at_zero = everything;
   at_zero.push_back("initial.psi=0");

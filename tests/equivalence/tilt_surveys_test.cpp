@@ -1,4 +1,4 @@
-// Surveys of a rotor that tilts, beside equations and trajectories in fixed axes: stability over a plane, sweeps,
+// Surveys of a tilting rotor, next to equations and trajectories in fixed axes: stability over a plane, sweeps,
 // capacity, branches, maps and charts.
 #include <gtest/gtest.h>
 
@@ -240,7 +240,7 @@ TEST(TiltMaps, PixelsComeToWhatTheirStartsComeTo) {
   }
 }
 
-// The derivatives that the chart's criticality comes from, beside differences of the equations in fixed axes.
+// The derivatives that the chart's criticality comes from, next to differences of the equations in fixed axes.
 TEST(TiltCharts, HigherDerivativesAreThoseOfFixedAxes) {
   const Study s = study({"balancer.mass=[0.05, 0.06, 0.07, 0.04]", "rotor.tilt.stiffness=[0.3, 9]"});
   const model::System system = s.system();

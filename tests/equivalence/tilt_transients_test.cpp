@@ -1,4 +1,4 @@
-// Figures of transients of a rotor that tilts, beside trajectories in fixed axes that are sampled densely.
+// Figures of transients of a tilting rotor, next to trajectories in fixed axes that are sampled densely.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Whole sweeps over Omega and beta beside tables 1 and 2 of Wright and Peng (2019). Every cell is judged by both
+// Whole sweeps over Omega and beta next to tables 1 and 2 of Wright and Peng (2019). Every cell is judged by both
 // samples' errors, with an allowance for the number of cells.
 #include <algorithm>
 #include <set>

@@ -19,7 +19,7 @@ enum class BranchLaw {
   own_time,   ///< psi = psi(t_b) + (t - t_b) Omega(t): psi' = Omega + (t - t_b) Omega'
 };
 
-/// When the balls are let go.
+/// When the balls are released.
 enum class Table7Release { at_rise_speed, at_hold_end, at_fall_speed, at_settling };
 
 /// One possible protocol of table 7. Defaults: the paper's words.

@@ -67,7 +67,7 @@ TEST(BalancedMotion, RelaxesWhereverTheRotorHangs) {
   const BalancedAnalysis found = analyse_balanced(system);
   ASSERT_FALSE(found.motions.empty());
   EXPECT_TRUE(relaxes_to_balance(system, found.motions[0].state));
-  // A ball half a turn off does not balance, and moves farther than a quarter turn.
+  // A ball half a turn off does not balance, and moves further than a quarter turn.
   Eigen::VectorXd elsewhere = found.motions[0].state;
   elsewhere[model::index::phi(0)] += pi;
   EXPECT_FALSE(relaxes_to_balance(system, elsewhere));

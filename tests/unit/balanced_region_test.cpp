@@ -101,7 +101,7 @@ TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
   EXPECT_EQ(tried[2.0 * found].size(), 4096u);
 }
 
-// Where no try fails, only the highest level is tried, with every try once besides the first few.
+// Where no try fails, only the highest level is tried, with every try once in addition to the first few.
 TEST(LevelLadder, TheHighestLevelIsTriedFirst) {
   std::size_t made = 0;
   const auto counted = [&](double, const TryRange& tries) { return made += tries.count, true; };

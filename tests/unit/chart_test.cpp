@@ -124,7 +124,7 @@ TEST(Chart, CurvesAreWhereTheStabilityOfThePlaneChanges) {
       EXPECT_EQ(std::abs(unstable(1e-5) - unstable(-1e-5)), 2) << p.x << " " << p.y;
       EXPECT_EQ(std::min(unstable(1e-5), unstable(-1e-5)), p.others) << p.x << " " << p.y;
       ++crossed;
-      // Bisection along the speed from a study beside it ends at the same place.
+      // Bisection along the speed from a study next to it ends at the same place.
       if (p.others > 0 || std::fabs(along_y) < 0.5 * norm) continue;
       StabilitySettings settings;
       settings.x = {"speed.final", p.x - 0.1, p.x + 0.1, 2};
@@ -235,7 +235,7 @@ TEST(Chart, BeyondASoftLossTheBallsSwingAsTheCoefficientSays) {
   for (std::size_t k = 1; k < places.size(); k += places.size() / 3) {
     const CurvePoint& p = places[k];
     double last = 0.0;
-    const double slow = 0.1 * p.frequency * p.frequency;  // slow beside the swing, and beside what bends it
+    const double slow = 0.1 * p.frequency * p.frequency;  // slow next to the swing, and next to what bends it
     for (const double growth : {slow, 0.25 * slow}) {
       const Study study = with_growth(p, growth);
       const double expected = std::sqrt(-growth / p.lyapunov);

@@ -75,7 +75,7 @@ TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
   }
 }
 
-// The trajectory comes to the member named, to second order in the distance: 1e-8 times a factor from curvature and
+// The trajectory ends in the member named, to second order in the distance: 1e-8 times a factor from curvature and
 // 1/rate (measured: at most 110).
 TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
   std::mt19937_64 random(3);

@@ -59,7 +59,7 @@ class PlaceOnCurve {
     const double at = value(along_x);
     return {study, fmt::format("{}={:.12g}:{:.12g}:{:.12g}", along_x ? x_ : y_, at - off, at + off, 2.0 * off)};
   }
-  // States at equal times of the cycle, swung farther by a factor.
+  // States at equal times of the cycle, swung further by a factor.
   std::vector<Eigen::VectorXd> states(const model::System& system, double factor) const {
     constexpr int count = 16;
     const double period = 2.0 * M_PI / point_.frequency;
@@ -183,7 +183,7 @@ speed = 1.485
   const BranchContinuation follower(line, 0, nullptr);
   const model::System system = line.system_at(1.485);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(6);
-  z[4] = M_PI + 0.1;  // the ball beside the light side, from where it comes to the cycle
+  z[4] = M_PI + 0.1;  // the ball next to the light side, from where it ends in the cycle
   z = advance_state(system, z, 4000.0).value();
   const double period = 2.0 * M_PI / 0.4;  // of the pair that crosses
   constexpr int count = 16;

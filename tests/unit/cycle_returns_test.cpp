@@ -67,10 +67,10 @@ TEST(CycleReturns, AFoldOfDoubledCyclesEndsWhereASingleCycleDoublesItsPeriod) {
   // other one steps over the end and comes back.
   const auto near = end_of_doubled_fold({"speed.final", 1.15, 1.23, 16}, {"balancer.drag", 0.005, 0.09, 16},
                                         {1.18904, 0.005614}, 0.045);
-  const auto over = end_of_doubled_fold({"speed.final", 0.8, 3.0, 32}, {"balancer.drag", 0.002, 0.3, 32},
-                                        {1.186098, 0.004355}, 0.0);
+  const auto over =
+      end_of_doubled_fold({"speed.final", 0.8, 3.0, 32}, {"balancer.drag", 0.002, 0.3, 32}, {1.186098, 0.004355}, 0.0);
   ASSERT_TRUE(near && over);
-  // Extrapolated from places 0.02 to 0.3 beside it: cut off at the product of their squares, some 1e-7.
+  // Extrapolated from places 0.02 to 0.3 next to it: cut off at the product of their squares, some 1e-7.
   EXPECT_NEAR(near->x, over->x, 2.2 * 1e-7);
   EXPECT_NEAR(near->y, over->y, 0.3 * 1e-7);
   Study study = heavier();
@@ -108,8 +108,7 @@ TEST(CycleReturns, AClosedCurveIsPassedOnceThoughCyclesBeginAtAnotherTime) {
   EXPECT_LT(apart(places.back(), places.front()), 3.0 * CurveFollower::longest_step);
   // The first node has moved along the cycle: states differ.
   EXPECT_GT((places.back().at - places.front().at).tail(8).norm(), 1e-3);
-  for (std::size_t k = 10; k + 10 < places.size(); ++k)
-    EXPECT_GT(apart(places[k], places.front()), 1e-3) << k;
+  for (std::size_t k = 10; k + 10 < places.size(); ++k) EXPECT_GT(apart(places[k], places.front()), 1e-3) << k;
   // Points at which a second multiplier is -1 are met once each. The orbit there, refined by another method, has two:
   // each to a root of an error, their product to the error.
   int doubled = 0;

@@ -152,7 +152,7 @@ TEST(DataSheet, RefusesGradesThatAreNone) {
             "rotor.balance_grade.at: missing"));
 }
 
-// The whole study is written anew for each draw, so that a drawn grade or frequency reaches all that follows from it.
+// The whole study is written again for each draw, so that a drawn grade or frequency reaches all that follows from it.
 TEST(DataSheet, MayBeUncertain) {
   struct Case {
     std::string from, key, distribution;

@@ -211,7 +211,7 @@ TEST(DesignProblem, StudyWithoutADesignGetsOneThatCanBePasted) {
   const std::string proposed = problem_of(limited).proposed();
   for (const char* words : {"peak_radial.0.99", "starts = 400", "limits_kept = { above = 0.99 }", "\"release.time\""})
     EXPECT_NE(proposed.find(words), std::string::npos) << proposed;
-  // Where larger numbers do not fit beside each other, they are left out.
+  // Where larger numbers do not fit next to each other, they are left out.
   const std::string tight =
       with(with(oiled, "race_radius = \"50 mm\"", "race_radius = \"12 mm\""), "balls = 3", "balls = 6");
   EXPECT_NE(problem_of(tight).proposed().find("\"balancer.balls\" = [2, 7]"), std::string::npos)

@@ -58,8 +58,8 @@ TEST(GravityWell, RestsAtItsBottom) {
   }
 }
 
-// The rotor turned by hand towards both maxima beside the well and released at rest, everything else at the bottom. The
-// lower maximum is known in closed form. Beyond it lies another well: the same one, a turn further.
+// The rotor turned by hand towards both maxima next to the well and released at rest, everything else at the bottom.
+// The lower maximum is known in closed form. Beyond it lies another well: the same one, a turn further.
 TEST(GravityWell, EndsAtTheLowerTop) {
   for (const System& system : rotors()) {
     const model::Parameters& p = system.parameters();
@@ -123,7 +123,7 @@ TEST(GravityWell, IsThereOnlyWhereGravityHolds) {
       rotor("{ gain = 1.0, integral = 0.1, limit = 0.015, target = { profile = \"constant\", speed = 2.0 } }")));
 }
 
-// Balls at opposite places cancel, leaving the rotor alone; balls beside its heavy side make it harder to lift.
+// Balls at opposite places cancel, leaving the rotor alone; balls next to its heavy side make it harder to lift.
 TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
   const auto held_at = [](const System& system, double first, double second, double speed, double asked) {
     VectorXd state = GravityWell::of(system)->bottom();

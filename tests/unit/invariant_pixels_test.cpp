@@ -27,7 +27,7 @@ TEST(InvariantPixels, AreTheDiagonalOfASquareOverTwoAngles) {
   EXPECT_EQ(pixels.count(), 8u);
   for (int column = 0; column < 8; ++column)
     for (int row = 0; row < 8; ++row) EXPECT_EQ(pixels.holds(column, row), column == row);
-  // A turn farther on they are the same places.
+  // A turn further on they are the same places.
   EXPECT_EQ(InvariantPixels(plane(constant_speed, first, {"initial.phi_2", -pi, pi, 8})).count(), 8u);
   // Centres of 8 and of 12 pixels never agree.
   EXPECT_EQ(InvariantPixels(plane(constant_speed, first, {"initial.phi_2", 0.0, two_pi, 12})).count(), 0u);

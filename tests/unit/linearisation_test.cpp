@@ -238,7 +238,7 @@ TEST(Derivative, VanishesAtBalancedStates) {
   }
 }
 
-// With a slope for every variable that 16 balls on a rotor that tilts would have.
+// With a slope for every variable that 16 balls on a tilting rotor would have.
 template <bool tilt>
 MatrixXd widest_jacobian(const model::System& system, const VectorXd& y) {
   constexpr int most = equipoise::HWY_NAMESPACE::SmoothFlow<double, model::any_count, tilt>::dimension;

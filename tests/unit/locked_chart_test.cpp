@@ -100,7 +100,7 @@ TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
       for (int i = 0; i < 2; ++i) guess[i] = 0.3 * part(random);
       guess[2] = -system.speed() * guess[1];
       guess[3] = system.speed() * guess[0];
-      // Saddles are met from beside them only: half of the starts have the balls nearly in line with the rotor.
+      // Saddles are met from next to them only: half of the starts have the balls nearly in line with the rotor.
       const double line = std::atan2(guess[1], guess[0]), spread = k % 2 ? M_PI : 0.3;
       for (int i = 0; i < system.balls(); ++i)
         guess[model::index::phi(i)] = line + (part(random) < 0.0 ? M_PI : 0.0) + spread * part(random);
@@ -217,7 +217,7 @@ TEST(LockedChart, EveryPointHasTheEigenvaluesThatItsCurveStates) {
         const bool end = k == 0 || k + 1 == curve.points.size();
         if (end && curve.ends[k == 0 ? 0 : 1] == CurveEnd::no_pair) continue;  // a double zero, with its square root
         const Eigen::VectorXcd values = eigenvalues_at(*chart, p);
-        // Beside a double zero an eigenvalue is that of rounding, to its square root.
+        // Next to a double zero an eigenvalue is that of rounding, to its square root.
         const double gap = std::abs(values.array().abs().minCoeff());
         const double other = (values.array().abs() > gap).select(values.array().abs(), INFINITY).minCoeff();
         const double allowed =

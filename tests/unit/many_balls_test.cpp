@@ -108,7 +108,7 @@ Motion split(const Motion& two, int balls, double drag) {
   return describe_orbit(system, *orbit);
 }
 
-// Of two balls, from the first of some starts that comes to a motion of this name.
+// Of two balls, from the first of some starts that ends in a motion of this name.
 Motion of_two(double drag, double speed, const char* name) {
   const model::Parameters p = base_rotor(2, drag);
   for (int k = 0; k < 40; ++k) {

@@ -71,7 +71,7 @@ std::vector<float> field(const SliceAxis& x, const SliceAxis& y, double (*value)
   return values;
 }
 
-// Dashes would start anew in every cell.
+// Dashes would start again in every cell.
 TEST(ZeroLine, IsOneLineFromEndToEnd) {
   const SliceAxis x{"a", -2.0, 2.0, 40}, y{"b", -2.0, 2.0, 30};
   const auto circle = zero_line(x, y, field(x, y, [](double a, double b) { return std::hypot(a, b) - 1.0; }));

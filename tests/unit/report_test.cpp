@@ -1,4 +1,4 @@
-// Reports of results made by hand: bounds beside intervals, units, optional parts, folded parts.
+// Reports of results made by hand: bounds next to intervals, units, optional parts, folded parts.
 #include <array>
 #include <cstdint>
 #include <memory>

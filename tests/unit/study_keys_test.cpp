@@ -44,7 +44,7 @@ std::vector<std::string> studies() {
           "[release]\ntime = 0.0\n[speed]\nprofile = \"constant\"\nspeed = 2.4\n"};
 }
 
-// Keys that only a rotor that tilts has; of its study these alone are visited.
+// Keys that only a tilting rotor has; of its study these alone are visited.
 bool is_of_tilt(const KeyTable& table, const Key& key) {
   const std::string name = key.name;
   return table.name == "rotor.tilt" || name == "eccentricity_angle" || name == "plane" || name.starts_with("tilt_");
@@ -112,9 +112,9 @@ TEST(StudyKeys, EachIsEchoedAsItWasRead) {
   std::map<std::string, int> taken;
   for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
     if (table.name == "speed.torque.target" || table.name == "sweep") return;
-    for (const char* value : {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "\"II\"",
-                              "450", "600", "2.4", "1e-6", "0", "[0, 5]", "[0, 9]", "[0, 4.5]", "[3, -3]",
-                              "[0.5, 0.5]", "[0.25, 0.25]"}) {
+    for (const char* value :
+         {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "\"II\"", "450", "600", "2.4",
+          "1e-6", "0", "[0, 5]", "[0, 9]", "[0, 4.5]", "[3, -3]", "[0.5, 0.5]", "[0.25, 0.25]"}) {
       Study study;
       try {
         const std::string given = key.name + std::string(" = ") + value;
@@ -221,8 +221,8 @@ std::string guide_table(const KeyTable& table, bool physical) {
   return text;
 }
 
-// A machine's tables have other keys in physical studies; what such studies have besides in other tables is listed
-// alone.
+// A machine's tables have other keys in physical studies; what such studies have in addition to in other tables is
+// listed alone.
 bool has_physical_keys(const KeyTable& table) {
   return std::any_of(table.keys.begin(), table.keys.end(), [](const Key& key) { return key.has(Key::physical); });
 }

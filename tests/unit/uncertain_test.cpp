@@ -186,7 +186,7 @@ TEST(Uncertain, ADrawIsTheStudyOfItsValues) {
   EXPECT_EQ(first_difference(draw, study_with({"rotor.eccentricity=0.012", "speed.speed=2.0"})), "");
 }
 
-// Of a rotor that tilts, with places for whatever tables and keys are to be drawn.
+// Of a tilting rotor, with places for whatever tables and keys are to be drawn.
 const std::string tilting = R"([rotor]
 eccentricity = 0.01
 damping = 0.5

@@ -1,4 +1,4 @@
-// Numbers in bulk beside JSON: a place in the module's memory, which the worker reads or has written.
+// Numbers in bulk next to JSON: a place in the module's memory, which the worker reads or has written.
 #pragma once
 
 #include <cstdint>

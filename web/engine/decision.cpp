@@ -56,7 +56,7 @@ std::vector<OneBodyRun> rows_of(const Json& told) {
   return rows;
 }
 
-// Runs of one body come to no listed attractor: any code above 0 stands for a steady motion.
+// Runs of one body end in no listed attractor: any code above 0 stands for a steady motion.
 Json told_runs(const std::vector<OneBodyRun>& runs, Bulk& bulk) {
   std::vector<Fate> fates;
   std::vector<TransientRow> rows;

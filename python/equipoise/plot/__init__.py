@@ -2,7 +2,7 @@
 
 Every function takes a result and, as `ax`, the axes to draw into (None: a new figure), and returns the axes. TypeError:
 the result is of another call; ValueError: there is no such choice, or a number is out of its range. A colour belongs to
-an attractor's identifier in every picture; colours are told apart by any kind of colour vision. Lengths are in mm, forces
+an attractor's identifier in every picture; colours are distinguished by any kind of colour vision. Lengths are in mm, forces
 in N, times in s of a study in physical units; else in race radii R, M R omega_c^2 and 1/omega_c. matplotlib is imported
 when the first picture is drawn.
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _WAY = 0.15
 """How much of the film's time the way of the centre stays in sight."""
 _TURN_A_FRAME = 2.0 * np.pi / 3.0
-"""More than this between two frames, and an eye no longer tells which way a thing turns."""
+"""More than this between two frames, and an eye no longer shows which way a thing turns."""
 
 
 def animate(

@@ -94,7 +94,7 @@ def transients(
     result: BasinResult, column: str = "peak_radial", bins: int = 40, limit: Optional[float] = None,
     ax: Optional[Axes] = None,
 ) -> Axes:
-    """How a figure of the way there is distributed over the starts, stacked by outcome, beside the study's limit.
+    """How a figure of the way there is distributed over the starts, stacked by outcome, next to the study's limit.
 
     Percent of all starts over the figure, in the picture's units. Starts without the figure (lost ones; times that go
     on) are told in the legend.
@@ -177,7 +177,7 @@ def _words_only(label: str) -> Any:
 
 
 def _edges(values: parts.Array, bins: int, limit: Optional[float]) -> parts.Array:
-    """Edges of the bars from the least to the largest value; they are wide enough to be seen beside a limit far off."""
+    """Edges of the bars from the least to the largest value; they are wide enough to be seen next to a limit far off."""
     if not values.size:
         return np.array([0.0, 1.0])
     low, high = float(values.min()), float(values.max())

@@ -204,7 +204,7 @@ def disc(
     """The machine seen along its axis: race, numbered balls, the way of the rotor's centre, centre of mass, limit.
 
     Displacements are a few percent of the race's radius: they are drawn larger than the race, and the picture says how
-    much. Of an attractor the picture also tells what its balls do: bands where they swing, arrows where they run.
+    much. For an attractor the picture also shows what its balls do: bands where they swing, arrows where they run.
 
     Parameters
     ----------
@@ -215,11 +215,11 @@ def disc(
     limit : float, optional
         A displacement drawn as a circle, in the unit of pictures; left out: the study's own, if it has one.
     frame : {"rotor", "room"}
-        Whose eyes: turning with the rotor, or beside the machine.
+        Whose eyes: turning with the rotor, or next to the machine.
     magnify : float, optional
         Of displacements, above 0; left out: such that they are well seen.
     legend : bool
-        Whether the signs are explained beside the picture.
+        Whether the signs are explained next to the picture.
     ax : matplotlib.axes.Axes, optional
         In race radii, the axis of the bearings at the origin.
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = None) -> Axes:
     """Shares in percent along one parameter, stacked; over two, the balanced share as a heat map.
 
-    What came to no attractor lies on top, undecided last.
+    What ended in no attractor lies on top, undecided last.
 
     Parameters
     ----------
@@ -197,7 +197,7 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
 
 
 def _usual_step(result: BranchesResult) -> float:
-    """Between neighbouring values of the parameter; a branch has a hole where its own are farther apart."""
+    """Between neighbouring values of the parameter; a branch has a hole where its own are further apart."""
     values = np.asarray(result.values, dtype=float)
     return float(np.max(np.abs(np.diff(values)))) if values.size > 1 else np.inf
 

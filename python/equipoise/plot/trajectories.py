@@ -21,7 +21,7 @@ def trajectory(
     """Displacement of the rotor over time; on request the angles of its balls below.
 
     While the speed changes the ground is grey; where it passes a critical speed of the supports, and where the balls
-    are let go, a line says so. Angles are in the rotating frame in rad, not wrapped: a ball that runs around the race
+    are released, a line says so. Angles are in the rotating frame in rad, not wrapped: a ball that runs around the race
     leaves upwards or downwards.
 
     Parameters

@@ -55,7 +55,7 @@ class SliceFigureCount {
   int row_ = 0;  // rows so far
   std::vector<int> scales_;
   std::vector<Boxes> boxes_;                        // by scale
-  std::vector<Pairs> pairs_;                        // likewise
+  std::vector<Pairs> pairs_;                        // the same
   std::vector<Row> before_;                         // the last rows, cyclically, as far back as the largest scale
   std::vector<Row> band_;                           // rows for the boxes of entropies
   std::map<double, std::uint64_t> all_, boundary_;  // boxes by entropy

@@ -46,7 +46,7 @@ class PixelMemory : public PixelStore {
 /// The pixels of a slice, as a store. The finished results have room for all of them.
 class SliceStore : public PixelStore, public io::RowStore {
  public:
-  /// Opens what there is of the same study, axes, version and arithmetic, or begins anew. Throws like io::Store.
+  /// Opens what there is of the same study, axes, version and arithmetic, or begins again. Throws like io::Store.
   SliceStore(const std::string& path, const io::SliceFileHeader& header);
 
   /// Whether something is not in the finished results yet.

@@ -21,7 +21,7 @@ namespace equipoise {
 /// Whether all pixels are starts of one rotor: both axes are ball angles or, with free balls, other initial values.
 bool maps_starts(const BasinSlice& map);
 
-/// Of a rotor that tilts: model::tilt_balance_margin().
+/// Of a tilting rotor: model::tilt_balance_margin().
 double balance_margin(const model::Parameters& p);
 /// Largest growth rate at isolated balanced states; NaN if the rotor's angle matters or the race is off centre.
 double balance_growth(const model::System& system);

@@ -44,7 +44,7 @@ BranchEvent stability_change(const BranchContinuation& follower, const BranchPoi
   event.low = low.value;
   event.high = high.value;
   while (event.high - event.low > fine * follower.line().step() && !follower.stopped()) {
-    // At the change itself the equations may be too nearly singular for Newton's method; then try beside it.
+    // At the change itself the equations may be too nearly singular for Newton's method; then try next to it.
     std::optional<Motion> found;
     double middle = event.low;
     for (const double share : {0.5, 0.4, 0.6, 0.25, 0.75}) {

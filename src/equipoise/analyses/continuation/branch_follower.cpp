@@ -19,7 +19,7 @@ namespace {
 
 // Shortest Newton step, relative to the line's step: ends are located this accurately.
 constexpr double shortest_step = 1.0 / 65536;
-// Basins of tori may be so thin that a trajectory carried farther than this leaves them.
+// Basins of tori may be so thin that a trajectory carried further than this leaves them.
 constexpr double shortest_restless_step = 1.0 / 64;
 // From this step on, trajectories begin in several states, some time apart on the motion, before it is given up.
 constexpr double careful_step = 1.0 / 16;

@@ -162,7 +162,7 @@ class Continuation {
           way.joins = track;
           return way;
         }
-        if (track >= 0) {  // it fell onto a branch that existed beside it
+        if (track >= 0) {  // it fell onto a branch that existed next to it
           way.end = follower_.narrowed({values_[k], *last, false, value, std::move(advance.motion)});
           if (follower_.stopped()) way.end.reset();
           return way;

@@ -17,7 +17,7 @@ inline constexpr std::uint64_t along_starts = 2000;
 
 /// Progress counts values searched, then branches followed among those known so far.
 struct ContinuationOptions : RunOptions {
-  std::uint64_t starts = 0;  ///< random starts at every value besides the pilot's; 0: along_starts
+  std::uint64_t starts = 0;  ///< random starts at every value in addition to the pilot's; 0: along_starts
   /// States tried at every value, each dimension(balls) numbers: ways to attractors too rare for the pilot.
   std::vector<std::vector<double>> warm_start_states;
 };

@@ -76,7 +76,7 @@ class CandidateRunner {
   std::vector<std::unique_ptr<Met>> free_;
 };
 
-// The study's search is made anew by every run: what a file keeps are answers. Rotors that each start draws have
+// The study's search is made again by every run: what a file keeps are answers. Rotors that each start draws have
 // searches of their own.
 CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions& options)
     : problem_(problem), options_(options) {

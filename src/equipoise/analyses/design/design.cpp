@@ -266,7 +266,7 @@ class DesignRun {
     result_.chosen = 0;
   }
 
-  // Judges the front on starts that the search did not see, beside the original study.
+  // Judges the front on starts that the search did not see, next to the original study.
   void check() {
     if (result_.front.empty()) return;
     judge_front(each(part(for_check), result_.front.size() + 1));

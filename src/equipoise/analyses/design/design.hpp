@@ -22,7 +22,7 @@ Survey design_survey(const DesignProblem& problem, const DesignOptions& options)
 
 /// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
 /// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The
-/// result depends on the problem alone. Stopped, it tells what the search has found by then. Throws InputError for
+/// result depends on the problem alone. Stopped, it shows what the search has found by then. Throws InputError for
 /// unusable output files, RunError if the output fails later.
 DesignResult design(const DesignProblem& problem, const DesignOptions& options = {});
 

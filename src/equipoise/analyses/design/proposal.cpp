@@ -23,7 +23,7 @@ namespace equipoise {
 namespace {
 
 // Trajectories that take a minute or two of two cores: of balls that strike each other every turn or of rotors that
-// each start draws, of balls that touch, and of others.
+// each start draws, of touching balls, and of others.
 constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 3000;
 constexpr double usual_share = 0.95, greatest_share = 0.99;
 constexpr double fewest_that_prove = 3.9;  // starts times (1 - share): if all do it, so surely does that share

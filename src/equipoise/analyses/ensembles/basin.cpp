@@ -210,7 +210,7 @@ class BasinRun {
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
 
-  // A file may hold more starts than this run asked for. Its summary covers all of them; a file that is already
+  // A file may hold more starts than this run requested. Its summary covers all of them; a file that is already
   // complete stays as it is.
   void finish_file(const RunTime& time) {
     if (file_->complete() && file_->unfinished() == 0 && (finished_ || file_->stored() >= limit_))

@@ -36,7 +36,7 @@ class Tally {
   std::vector<Share> shares() const;
 
   /// How starts leave the chaos that some are still in at the horizon: from those decided after lasting_chaos. Starts
-  /// that came to a chaotic motion have not left it. Empty if no start is in it.
+  /// that ended in a chaotic motion have not left it. Empty if no start is in it.
   std::optional<EscapeRate> chaos(const Catalogue& catalogue) const;
 
   /// Whether sampling may end here if a half-width is reached. The number of starts is part of the result, so this

@@ -41,7 +41,7 @@ std::uint64_t bare_runs_needed(const OneBodyTask& task);
 WithoutBalls counted_runs(const OneBodyTask& task, std::span<const OneBodyRun> bare, std::span<const OneBodyRun> held);
 
 /// basin() of a study without balls: starts draw what else is uncertain, up to most_bare_runs of them; else one run
-/// tells all. Throws InputError for what needs starts of balls: an output file, starts of one's own, a half-width, a
+/// tells all. Throws InputError for what needs starts of balls: an output file, starts of your own, a half-width, a
 /// grid.
 BasinResult bare_basin(const Study& study, const BasinOptions& options);
 inline constexpr std::uint64_t most_bare_runs = 10000;

@@ -1,4 +1,4 @@
-// A session whose starts can be asked for in any order.
+// A session whose starts can be requested in any order.
 #include "equipoise/analyses/mapper/ensemble.hpp"
 
 #include <cmath>

@@ -23,7 +23,7 @@ struct EnsembleOptions : RunOptions {
 /// results as they come; basin() counts, stores and resumes. Use one from one thread only.
 ///
 /// A motion that the search missed is listed once a start comes to it. Unless its identifier is reserved, it gets the
-/// next free one (from first_free_id), in the order in which starts are asked for.
+/// next free one (from first_free_id), in the order in which starts are requested.
 class Ensemble {
  public:
   /// Searches for attractors, with the progress of basin(). Throws InputError for studies that basin() would not

@@ -18,7 +18,7 @@ struct AttractorSearchCache;
 /// Decides states as basin() decides starts, with the same bits. The constructor searches for the attractors.
 /// Thread-safe.
 ///
-/// A state may come to a motion that the search missed. It is then listed, as basin() lists it. Unless its identifier
+/// A state may end in a motion that the search missed. It is then listed, as basin() lists it. Unless its identifier
 /// is reserved, it gets the next free one (from first_free_id) in the order in which motions are met. Within one call
 /// that is the order of the states, whatever the threads; between concurrent calls it is a matter of chance.
 class Mapper {

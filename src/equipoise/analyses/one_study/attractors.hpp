@@ -10,7 +10,7 @@ namespace equipoise {
 /// With this many starts, an attractor with a share above 1e-3 is missed with a probability below 1e-9.
 inline constexpr std::uint64_t search_starts = 20736;
 
-/// As for basin(); transients are gathered only if asked for.
+/// As for basin(); transients are gathered only if requested.
 struct AttractorsOptions : BasinOptions {
   std::uint64_t starts = search_starts;  ///< to search with, whatever study.sampling.starts says
 };

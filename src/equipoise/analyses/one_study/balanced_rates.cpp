@@ -23,7 +23,7 @@ namespace {
 
 std::optional<BalancedRates> rates_on_section(const model::System& system, const BallAngles& phi, int freedom,
                                               const StopFlag* stop) {
-  // Errors of an integration over a turn; beside a multiple 1 their square root.
+  // Errors of an integration over a turn; next to a multiple 1 their square root.
   constexpr double error = 1e-11, zero = 1e-5;
   const double turn = system.section_period();
   const bool rests = system.parameters().gravity == 0.0 && system.parameters().race_is_centred();

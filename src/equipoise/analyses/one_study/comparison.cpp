@@ -216,7 +216,7 @@ class Comparison {
                           : independent_difference(share(before), share(after));
   }
 
-  // Undecided starts of one study or the other may all come to balance.
+  // Undecided starts of one study or the other may all become balanced.
   void bound_balanced() {
     const auto undecided = names_.place_of_own(undecided_code);
     result_.balanced = names_.place_of_own(balanced_id);

@@ -18,7 +18,7 @@ struct ObservationSettings : RunOptions {
   double until = 1000.0;        ///< study time; the last whole window that fits is the last recorded
 };
 
-/// r^2 = x^2 + y^2, of a rotor that tilts at the outermost bearing that is farther out, in windows [k window, (k + 1)
+/// r^2 = x^2 + y^2, of a tilting rotor at the outermost bearing that is further out, in windows [k window, (k + 1)
 /// window] of study time. Windows that end before the release hold not-a-number; one that contains it counts from
 /// there. A lost trajectory is infinite from then on.
 struct Observation {

@@ -27,11 +27,11 @@ std::vector<std::string> capacity_goals(const Study& study);
 
 /// The source of a study in physical units with its unbalance as one quantity, rotor.unbalance in g mm, where it is
 /// stated otherwise (as an eccentricity, a balance grade or places) and neither uncertain nor varied by an axis; else
-/// the same. Of a rotor that tilts rotor.unbalance then stands for its static unbalance, and capacity() varies all of
+/// the same. For a tilting rotor rotor.unbalance then stands for its static unbalance, and capacity() varies all of
 /// its unbalances in proportion; throws InputError where they are a couple alone, uncertain or varied by an axis.
 StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes);
 
-/// Whether with_unbalance() made this source of a rotor that tilts: rotor.unbalance stands for all its unbalances.
+/// Whether with_unbalance() made this source of a tilting rotor: rotor.unbalance stands for all its unbalances.
 bool varies_all_unbalances(const StudySource& source);
 
 /// Then the overrides with which its static unbalance is this (kg m), each unbalance keeping its share.

@@ -46,7 +46,7 @@ double own_unbalance(StudyValue tree, const std::string& name) {
   return study.parameters.eccentricity * study.scales->unbalance();
 }
 
-// Of a rotor that tilts: masses at places become unbalances of planes, so that each is one number.
+// Of a tilting rotor: masses at places become unbalances of planes, so that each is one number.
 StudySource with_all_unbalances(const StudySource& source, const std::vector<SweepAxis>& axes, StudyValue tree) {
   StudyValue& rotor = *study::find_table(tree, "rotor");
   StudyValue& tilt = *rotor.find("tilt");

@@ -10,7 +10,7 @@ namespace equipoise {
 
 /// Draws ball angles evenly from those that balance to a twentieth of what balls and unbalance could add up to, and
 /// then balances them. Colliding balls must have room side by side; if hardly any angles leave that, a random walk
-/// among those that do replaces the draws. Of a rotor that tilts any angles are balanced, for hardly any nearly are.
+/// among those that do replaces the draws. For a tilting rotor any angles are balanced, for hardly any nearly are.
 /// The sequence is the same for the same rotor.
 class ContinuumDraws {
  public:

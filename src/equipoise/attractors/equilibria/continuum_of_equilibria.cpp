@@ -163,7 +163,7 @@ std::optional<Angles> ContinuumOfEquilibria::moved(Angles phi, const VectorXd& a
 std::optional<ContinuumMember> ContinuumOfEquilibria::destination(const VectorXd& state) const {
   constexpr int most = 5;
   // What may be left along the continuum: a share of the deviation (which V counts), and the accuracy of centres. A
-  // state that has long come to the continuum deviates by no more than that.
+  // state that has long end in the continuum deviates by no more than that.
   constexpr double across = 0.01, unknown = 1e-7;
   Angles phi{};
   for (int i = 0; i < system_.balls(); ++i) phi[i] = state[model::index::phi(i)];
@@ -217,7 +217,7 @@ bool ContinuumOfEquilibria::holds(const VectorXd& state, double factor, double s
   return rests_ && value(*m, state) < level(*m, slow_factor);
 }
 
-// A member that creeps farther than a radian may end on an orbit, which is then listed and has its own trapping region.
+// A member that creeps further than a radian may end on an orbit, which is then listed and has its own trapping region.
 bool ContinuumOfEquilibria::stays(ContinuumMember m, double slowest_rate) const {
   constexpr double time = 2e4, step = 0.1;
   constexpr int most = 10;

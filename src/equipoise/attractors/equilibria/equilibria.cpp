@@ -26,7 +26,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Refined equilibria are exact to 1e-10; different ones lie farther apart, except those just born.
+// Refined equilibria are exact to 1e-10; different ones lie further apart, except those just born.
 constexpr double same_equilibrium = 1e-6;
 // A balanced rotor is centred to rounding.
 constexpr double centred_rotor = 1e-9;

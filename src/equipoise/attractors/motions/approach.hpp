@@ -1,4 +1,4 @@
-// How a trajectory comes to its motion: what motion_from() knows besides the motion.
+// How a trajectory comes to its motion: what motion_from() knows in addition to the motion.
 #pragma once
 
 #include <optional>

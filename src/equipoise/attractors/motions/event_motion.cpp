@@ -28,7 +28,7 @@ namespace {
 // Multipliers of the return map are good to 1e-6. With dry friction, one this close to 1 counts as 1.
 constexpr double neutral = 1e-3;
 
-// All multipliers attract, except those at 1 of balls that may as well stick a little farther on.
+// All multipliers attract, except those at 1 of balls that may as well stick a little further on.
 bool orbit_attracts(const model::System& system, const PeriodicOrbit& orbit) {
   const Eigen::VectorXcd decays = orbit.decays();
   return std::all_of(decays.begin(), decays.end(), [&](std::complex<double> m) {

@@ -249,7 +249,7 @@ class StateSampler {
   std::size_t next_ = 1;
 };
 
-// What is asked for of one stretch from state `z` on: statistics, samples, both or neither.
+// What is requested of one stretch from state `z` on: statistics, samples, both or neither.
 template <class Flow, bool sags>
 class Stretch {
  public:

@@ -168,7 +168,7 @@ class SmoothJourney final : public Journey {
     std::optional<Equilibrium> end = refine_equilibrium(system_, state_);
     const auto free = [&] { return free_angles(system_, end->state); };
     if (!end || !attracts(end->eigenvalues, free())) return std::nullopt;
-    // Each state of a continuum comes to a member of its own.
+    // Each state of a continuum ends in a member of its own.
     const bool searched = free() > 0;
     const auto distance = [&](const Eigen::VectorXd& z) {
       if (searched) end = refine_equilibrium(system_, z);
@@ -215,7 +215,7 @@ class SmoothJourney final : public Journey {
     return true;
   }
 
-  // Whether the trajectory was here before: within half of the farthest distance that it has gone since. A creeping one
+  // Whether the trajectory was here before: within half of the furthest distance that it has gone since. A creeping one
   // repeats its statistics and has no positive exponent, but never returns.
   bool comes_back() const {
     if (samples_.empty()) return false;

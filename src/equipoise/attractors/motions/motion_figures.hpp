@@ -1,4 +1,4 @@
-// Vibration figures of starts that come to a motion, known beforehand from the motion itself.
+// Vibration figures of starts that end in a motion, known beforehand from the motion itself.
 #pragma once
 
 #include "equipoise/attractors/motions/catalogue.hpp"

@@ -75,7 +75,7 @@ std::string grouping(const std::vector<int>& groups, int count) {
   return fmt::format(" ({} together)", text);
 }
 
-// Of a rotor that tilts, three balls or more may rest together in one race, and apart in another, which is centred.
+// Of a tilting rotor, three balls or more may rest together in one race, and apart in another, which is centred.
 MotionName name_of_locked(const model::Parameters& p, const Motion& motion) {
   MotionName name{"locked", "", locked};
   if (p.tilts() && p.balls > 2) name.name += grouping(Topology(p, motion).captured_groups, p.balls);

@@ -54,13 +54,13 @@ struct MotionStatistics {
 };
 
 /// Whether two stretches show one motion. Largest, smallest and mean r and the extremes of all balls' rates must agree
-/// to `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest; likewise psi' and
+/// to `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest; also psi' and
 /// its mean.
 bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, double share_of_extremes,
              double share_of_means);
 
 /// Takes `state` along its trajectory for `duration`; unless it returns `done`, `state` is where it was lost. Outputs
-/// that are not asked for cost nothing. `statistics`: the stretch is added; angles must go on from the end of the last
+/// that are not requested cost nothing. `statistics`: the stretch is added; angles must go on from the end of the last
 /// call. Extremes are found to about 1e-8 of their size, from the signs of derivatives at times at most
 /// sample_spacing() of the first state apart. `samples` receives the states at times k sample_spacing(), k = 0, 1, ...
 /// On a stroboscopic section the rotor's angle is 0 at the beginning. Under gravity r is measured from the sag. Soon

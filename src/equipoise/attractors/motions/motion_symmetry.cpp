@@ -20,7 +20,7 @@ namespace equipoise {
 
 namespace {
 
-// Point sets this close are the same. Refined motions are exact to 1e-10 or better. Different ones lie much farther
+// Point sets this close are the same. Refined motions are exact to 1e-10 or better. Different ones lie much further
 // apart, except those just born in a bifurcation.
 constexpr double same_point = 1e-6;
 // Points of a curve that are interpolated before they are compared.

@@ -61,7 +61,7 @@ class EventRun {
   using Machine = EventTrajectory<model::any_count>;
   static constexpr int dimension = Machine::dimension;
 
-  // From state `y` at time 0. `psi`: the rotor's angle there, if the state does not contain it. Balls that touch to
+  // From state `y` at time 0. `psi`: the rotor's angle there, if the state does not contain it. Touching balls to
   // within rounding are taken to touch.
   EventRun(const model::System& system, const double* y, double psi, const typename Machine::Scale& scale)
       : system_(system),

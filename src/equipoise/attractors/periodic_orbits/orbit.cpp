@@ -38,7 +38,7 @@ int node_count(double period) {
 std::vector<VectorXd> states_at(const model::System& system, const std::vector<VectorXd>& states, double period,
                                 const std::vector<double>& times) {
   const double spacing = period / static_cast<double>(states.size());
-  const double rounding = 1e-9 * spacing;  // a state this near in time is the one asked for
+  const double rounding = 1e-9 * spacing;  // a state this near in time is the one requested
   std::vector<VectorXd> result;
   double begin = -1.0;  // time of `state`
   VectorXd state;
@@ -147,7 +147,7 @@ class OrbitProblem {
   // Factor on what steps leave: a rotor that hangs far below its supports has large x and y.
   double coarser() const { return std::max(1.0, std::fabs(model::static_sag(system_.parameters()))); }
 
-  // How far a change moves the node that moves farthest.
+  // How far a change moves the node that moves furthest.
   double farthest(const VectorXd& change) const {
     double result = 0.0;
     for (std::size_t k = 0; k < nodes_; ++k) result = std::max(result, change.segment(size_ * Index(k), size_).norm());

@@ -31,7 +31,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
 /// (variational equations: the model on dual numbers). `guess`: states at equally spaced times of one period, angles
 /// unwrapped. The winding follows from the gap between the last arc's end and the first node. With a stroboscopic
 /// section the guess is states on successive sections, which fix the period. If the equations for the nodes are then
-/// singular (a continuum of balanced states), the least change is taken. Empty if it does not converge, goes farther
+/// singular (a continuum of balanced states), the least change is taken. Empty if it does not converge, goes further
 /// than `reach` (in System::scale()) from the guess, finds an equilibrium (with a free period), or if `stop` is set.
 /// The returned period is the smallest one.
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<Eigen::VectorXd>& guess,

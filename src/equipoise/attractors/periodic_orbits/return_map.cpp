@@ -194,7 +194,7 @@ class ReturnMap {
       matrix.col(m).head(m) = rate;
       matrix.row(m).head(m) = rate.cwiseQuotient(scale_.cwiseAbs2()).transpose();
     }
-    // Balls that stick may stay anywhere, so the least change is taken.
+    // Sticking balls may stay anywhere, so the least change is taken.
     constexpr double singular = 1e-7;
     const VectorXd solution = dense::LeastNormSolver(matrix, singular).solve(right);
     step.change = solution.head(m);

@@ -11,7 +11,7 @@
 
 namespace equipoise {
 
-// The mode of balls follows from the state (BallMode). Balls that touch, move alike and press count as one; held balls
+// The mode of balls follows from the state (BallMode). Touching balls, move alike and press count as one; held balls
 // do not count. Both refine functions work in the remaining coordinates, with derivatives by differences; spectra have
 // as many values.
 
@@ -28,7 +28,7 @@ std::optional<Equilibrium> refine_mode_equilibrium(const model::System& system, 
 
 /// Newton's method on the return map from `state`, which returns after about `period` (on a stroboscopic section:
 /// exactly). Impacts on the way are part of the map and its derivative; theory writes them as saltation matrices. The
-/// orbit has one node; multipliers are good to about 1e-6. Empty if it does not converge, or goes farther than `reach`
+/// orbit has one node; multipliers are good to about 1e-6. Empty if it does not converge, or goes further than `reach`
 /// (in StateDifference's sizes).
 std::optional<PeriodicOrbit> refine_return(const model::System& system, const Eigen::VectorXd& state, double period,
                                            double reach);

@@ -31,7 +31,7 @@ bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit);
 
 /// The same on a stroboscopic section for a motion that is no such orbit: along the rest of a continuum of balanced
 /// states under gravity, balls creep for ever. While gravity and anisotropy fade over 400 sections, the trajectory from
-/// `state` must come to balance, and no ball may pass a quarter turn.
+/// `state` must become balanced, and no ball may pass a quarter turn.
 bool relaxes_to_balance(const model::System& system, const Eigen::VectorXd& state);
 
 }  // namespace equipoise

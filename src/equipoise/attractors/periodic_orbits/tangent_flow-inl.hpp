@@ -71,7 +71,7 @@ auto with_source(const model::System& system, F&& f) {
 // An observer of steps that looks at none.
 inline constexpr auto unobserved = [](double, double, auto&&) {};
 
-// Tangent vectors along a trajectory, as many as asked for but at most `width`. Component (1 + vectors) i is variable
+// Tangent vectors along a trajectory, as many as requested but at most `width`. Component (1 + vectors) i is variable
 // i, the next `vectors` are its tangents.
 template <class Source, int width>
 class TangentFlow {

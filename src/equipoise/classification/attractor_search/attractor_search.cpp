@@ -206,7 +206,7 @@ class Discoverer {
       add_state(Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())));
   }
 
-  // Of a rotor that tilts, which has many: races off centre while others are centred attract few starts.
+  // Of a tilting rotor, which has many: races off centre while others are centred attract few starts.
   void add_equilibria() {
     constexpr int arrangements = 200;
     if (!s_.system.tilts() || !s_.system.autonomous() || !s_.system.prescribed() || s_.drawn) return;
@@ -242,7 +242,7 @@ class Discoverer {
     return true;
   }
 
-  // A state of the pilot becomes a candidate again if it came to no motion, or to one that looks different each time.
+  // A state of the pilot becomes a candidate again if it ended in no motion, or to one that looks different each time.
   const Candidate* followed_before(const Candidate& c) const {
     const auto at = std::find_if(followed_.begin(), followed_.end(),
                                  [&](const Candidate& f) { return f.own == c.own && f.state == c.state; });
@@ -304,7 +304,7 @@ class Discoverer {
     return std::any_of(known.begin(), known.end(), [&](const KnownFeatures& k) { return k.attractor == attractor; });
   }
 
-  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and still come to a stable one.
+  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and still end in a stable one.
   // Its windows do not recognise that motion then. A neighbour's motion has no windows yet and gets its own.
   void compare_with_motions() {
     std::vector<Candidate*> followed;

@@ -11,7 +11,7 @@ namespace equipoise {
 
 namespace {
 
-// Both are measured: each start comes to a motion of its own.
+// Both are measured: each start ends in a motion of its own.
 int list_ends(const model::System& system, Catalogue& catalogue) {
   Motion balanced = measured_motion();
   balanced.set_valued = system.events().stick;

@@ -18,7 +18,7 @@ namespace equipoise {
 
 namespace {
 
-// To follow fewer starts of a rotor that tilts one by one costs less than to search for what they may come to.
+// To follow fewer starts of a tilting rotor one by one costs less than to search for what they may come to.
 constexpr double worth_a_search = 150.0;
 
 // A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if two balls touch as if
@@ -30,7 +30,7 @@ PilotRun::Size pilot_size(const model::System& system, const AttractorSearchSett
   return whole.part(settings.mode == SearchMode::warm || system.events().contact ? 4 : 1);
 }
 
-// More groups would be the debris of a motion that does not become steady. Most of few starts come to a few motions;
+// More groups would be the debris of a motion that does not become steady. Most of few starts end in a few motions;
 // with events each takes seconds. A part of a family that was halved has the motions of the whole, and its halves
 // search again; rare motions are left to their starts.
 std::size_t groups_followed(const model::System& system, SearchMode mode, bool drawn) {

@@ -112,7 +112,7 @@ struct Search {
   std::vector<OwnRotor> rotors;  ///< for trials: the middle's first
   PilotRun pilot;
   AttractorSearch result;
-  std::optional<FeatureBox> balance_box;  ///< decides beside trapping regions
+  std::optional<FeatureBox> balance_box;  ///< decides next to trapping regions
 };
 
 /// The rule that a search begins with, when only balanced states are known. The study must have its horizon.

@@ -135,7 +135,7 @@ void SearchRegions::add_listed(const Attractor& a) {
   if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
 }
 
-// Windows recognise all others. States of a rotor that tilts have so many directions that trials would cost more than
+// Windows recognise all others. States of a tilting rotor have so many directions that trials would cost more than
 // they save, and so do all trials for few starts.
 bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
   return !motion.eventful && (id == balanced_id || !(s_.system.tilts() || s_.settings.mode == SearchMode::few));
@@ -143,7 +143,7 @@ bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
 
 void SearchRegions::add(const Motion& motion, int id) {
   if (!worth_a_region(motion, id)) return;
-  // Another rotor's torus lies beside this one, by more than its cloud of points can resolve.
+  // Another rotor's torus lies next to this one, by more than its cloud of points can resolve.
   if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
       !model::lacking(s_.system, model::ResultKind::torus_regions))
     add_torus(motion, id);

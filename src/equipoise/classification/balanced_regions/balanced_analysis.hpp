@@ -41,7 +41,7 @@ struct BalancedAnalysis {
 /// - Anisotropic supports leave the balanced states of a centred race as they are, but change their stability.
 /// - Gravity makes balls rock once a turn, and so do anisotropic supports under an off-centre race. The balanced motion
 /// is then the orbit of one section that a balanced state becomes as gravity and anisotropy are switched on gradually.
-/// - Of a continuum they leave single motions, which starts have to find (leads_to_balance() recognises them); likewise
+/// - For a continuum they leave single motions, which starts have to find (leads_to_balance() recognises them); also
 /// with a motor if the rotor's angle matters.
 /// - A motor without torque holds no speed: balance, if it comes, may be at any speed.
 /// - Balls in contact balance if they have room. Levels of trapping regions are cut so that no balls touch

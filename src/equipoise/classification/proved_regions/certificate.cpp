@@ -26,7 +26,7 @@ constexpr int deepest = 11;
 
 // Shares of the sampled critical level: the least worth proving, and the resolution of the search.
 constexpr double least_share = 0.3, finest = 0.01;
-// Of a rotor that tilts one box around the whole set is tried, which proves small ones: shares are halved, down to this
+// Of a tilting rotor one box around the whole set is tried, which proves small ones: shares are halved, down to this
 // one, then the last is refined. Rounding in the balanced state bars smaller ones.
 constexpr double least_of_one_box = 1e-5, finest_ratio = 1.05;
 

@@ -36,7 +36,7 @@ struct Certificate {
     std::array<double, 2> low{}, high{};
     std::array<double, 8> multiplier{};
   };
-  /// Cover the unit disc of tau, the projection of V <= c on the ball angles. Of a rotor that tilts: none, and `frame`
+  /// Cover the unit disc of tau, the projection of V <= c on the ball angles. For a tilting rotor: none, and `frame`
   /// is any in which V <= c is the unit ball.
   std::vector<Box> boxes;
 

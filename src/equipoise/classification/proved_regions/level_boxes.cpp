@@ -119,7 +119,7 @@ typename LevelProof<kind>::Slice LevelProof<kind>::slice(const Box& box) const {
     }
   }
 
-  // G times that, in (eta, tau) instead of w: at_rest[a] + sum_j along[a][j] eta_j, and likewise for each theta_i.
+  // G times that, in (eta, tau) instead of w: at_rest[a] + sum_j along[a][j] eta_j, and also for each theta_i.
   std::array<Affine, size> at_rest;
   Rows<Affine, etas> along;
   Rows<Affine, n> bent;

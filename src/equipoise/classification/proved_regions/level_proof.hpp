@@ -33,7 +33,7 @@ struct ProofKind {
 /// The deviation from the exact balanced state is d = D (eta; tau), D the frame. Ball angles deviate by delta, which
 /// depends on tau alone; w is the rest of d. With q_i^2 read as theta_i q_i, theta_i anywhere in the range of q_i,
 /// rates are f = J d + sum_i theta_i b_i q_i + terms that vanish with delta, linear in w where delta is fixed. Of a
-/// driven rotor products of its speed's deviation with w are read likewise, as theta C w. Half of dV/dt over the level
+/// driven rotor products of its speed's deviation with w are read also, as theta C w. Half of dV/dt over the level
 /// is (eta; tau)^T G f with G = D^T P / level.
 template <ProofKind kind>
 class LevelProof {

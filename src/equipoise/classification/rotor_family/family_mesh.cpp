@@ -36,7 +36,7 @@ constexpr double worth_two_searches = 0.5;
 constexpr double better = 0.85, much_to_gain = 25.0;
 constexpr int at_first = 3;
 // This many of the starts left open by the horizon are followed one by one, for the horizon's time again but at most
-// for lasting_chaos. If fewer than half come to a motion, all stay open. Otherwise followed_on starts are followed on
+// for lasting_chaos. If fewer than half end in a motion, all stay open. Otherwise followed_on starts are followed on
 // together.
 constexpr std::size_t looked_at = 8, followed_on = 64;
 
@@ -172,7 +172,7 @@ class MeshMaker {
     return judgement;
   }
 
-  // Whether starts left open by the horizon mostly come to a motion soon, judged by the first of them.
+  // Whether starts left open by the horizon mostly end in a motion soon, judged by the first of them.
   bool settle(const SpunUp& starts, const std::vector<Fate>& fates, const std::vector<std::size_t>& open,
               double patience) const {
     const std::size_t count = std::min(open.size(), looked_at);

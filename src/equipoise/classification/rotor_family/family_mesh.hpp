@@ -17,7 +17,7 @@ struct FamilyCell {
   AttractorSearch search;
   /// Identifiers in the mesh's catalogue, by those in its own; empty if they are the same.
   std::vector<int> ids;
-  /// Starts left open by the horizon mostly come to a motion soon if followed on.
+  /// Starts left open by the horizon mostly end in a motion soon if followed on.
   bool follows_open = true;
   /// They are then followed together for this long beyond the horizon, before each goes on by itself.
   static constexpr double further = motion_patience;

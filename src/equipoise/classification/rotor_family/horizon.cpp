@@ -28,7 +28,7 @@ constexpr double e_foldings = 10.0;
 constexpr double shortest = 50000.0;
 // Where every start runs to the horizon, all pay: no longer than the rates ask, or than chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
-// With events: touching balls take longer to come to a motion.
+// With events: touching balls take longer to end in a motion.
 constexpr double shortest_with_events = 24000.0;
 // A limit to patience: 100 000 starts that are never decided then take a quarter of an hour.
 constexpr double longest = 100000.0;

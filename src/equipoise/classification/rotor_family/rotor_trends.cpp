@@ -20,7 +20,7 @@ std::vector<const OwnRotor*> tried(const Search& s) {
   return own;
 }
 
-// Chaos has ended if the rotor comes to another motion; chaos that becomes regular keeps its name.
+// Chaos has ended if the rotor ends in another motion; chaos that becomes regular keeps its name.
 std::vector<FeatureTrends::Lasting> lasting(Search& s, int attractor, const Eigen::VectorXd& state) {
   const std::vector<const OwnRotor*> own = tried(s);
   std::vector<double> states;

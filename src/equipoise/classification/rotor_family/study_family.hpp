@@ -67,8 +67,8 @@ class StudyFamily {
   Make make_;
 };
 
-/// The part of a study that its attractors depend on, with its horizon filled in. Of a prescribed speed only the final
-/// one counts. Of a motor the whole drive counts, for a weak one may never pass a resonance.
+/// The part of a study that its attractors depend on, with its horizon filled in. For a prescribed speed only the final
+/// one counts. For a motor the whole drive counts, for a weak one may never pass a resonance.
 Study at_final_speed(const Study& study);
 
 }  // namespace equipoise

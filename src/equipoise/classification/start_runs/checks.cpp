@@ -102,7 +102,7 @@ void check_drawable(const Study& study, bool transients) {
   }
 }
 
-// Of a rotor that tilts: clamped balls are followed at a prescribed speed alone; and no energy is known that would tell
+// Of a tilting rotor: clamped balls are followed at a prescribed speed alone; and no energy is known that would tell
 // whether one that coasts comes to rest.
 void check_tilting(const Study& study) {
   if (!study.parameters.tilts()) return;

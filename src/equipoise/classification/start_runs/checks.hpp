@@ -30,7 +30,7 @@ void check_given_starts(const Study& study, std::span<const InitialState> given)
 /// Bitwise checksum of the initial states.
 std::string checksum_of(const Study& study, std::span<const InitialState> given);
 
-/// The work for one start that comes to balance.
+/// The work for one start that becomes balanced.
 struct StartCost {
   double time = 0.0;     ///< until it is decided: about one e-folding of the slow approach to balance (drag 20: 0.8)
   double fastest = 0.0;  ///< decay rate that limits the step of an explicit method
@@ -43,7 +43,7 @@ struct StartCost {
   bool bearable() const;
 };
 
-/// Studies with more steps a start are refused: at this limit pilots and trials, 10^4 starts and more, take a minute.
+/// Studies with more steps per start are refused: at this limit pilots and trials, 10^4 starts and more, take a minute.
 inline constexpr double most_steps = 3e4;
 
 StartCost start_cost(const Study& study);

@@ -244,7 +244,7 @@ UnlistedStart Session::Batch::met_again(std::size_t i) const {
 }
 
 // The state from which a start is followed on, from time `now`. With a stroboscopic section it lies on the next
-// section, so that it needs no rotor angle beside it.
+// section, so that it needs no rotor angle next to it.
 std::vector<double> Session::Batch::when_recognised(std::size_t i, double now) const {
   const Eigen::Map<const Eigen::VectorXd> z(state(i), system(i).dimension());
   const model::Segment segment = own_.empty() ? s_.source_->last_task().segment : starts_.rotors[i].segment;

@@ -26,7 +26,7 @@
 
 namespace equipoise {
 
-/// A start that came to a stationary motion that the session's catalogue does not list.
+/// A start that ended in a stationary motion that the session's catalogue does not list.
 struct UnlistedStart {
   std::size_t place = 0;         ///< among the starts of the call
   std::vector<double> state;     ///< when found stationary (on the next stroboscopic section, if there is one)

@@ -110,7 +110,7 @@ Caught CoastingRegion::balances(const double* state, const StopFlag* stop) const
   if (!is_near(state)) return {};
   const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
   if (exact_) return approaches(y);
-  // Balls that stick leave the unbalance that they then have.
+  // Sticking balls leave the unbalance that they then have.
   const AtSpeed now = at_present_speed(y);
   if (system_.events().stick && !stuck_for_good(now.system, now.state, now.psi)) return {};
   const auto motion = lasting_motion(y, stop);

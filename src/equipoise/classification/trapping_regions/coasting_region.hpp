@@ -1,5 +1,5 @@
-// Rotors that no torque drives any more: whether they have come to balance at their remaining speed, or have lost too
-// much of it. See docs/explanation/numerics.md, "Rotors that coast".
+// Rotors that no torque drives any more: whether they have become balanced at their remaining speed, or have lost too
+// much of it. See docs/explanation/numerics.md, "Coasting rotors".
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ class CoastingRegion {
 
   bool stalls(const double* state) const;
 
-  /// Whether a state comes to balance (balanced_id). Where balance is exact, the state must be near a balanced state
+  /// Whether a state becomes balanced (balanced_id). Where balance is exact, the state must be near a balanced state
   /// that is stable at its speed, and be seen to approach it at half the linear rate or faster. Elsewhere its
   /// lasting_motion() must be balanced.
   Caught balances(const double* state, const StopFlag* stop = nullptr) const;

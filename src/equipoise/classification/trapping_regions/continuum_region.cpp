@@ -36,7 +36,7 @@ double angle_of_unbalance(const model::Parameters& p) {
 
 // A state of a continuum's trapping region falls to this share of its V, where linear theory holds.
 constexpr double come_near = 0.03;
-// A state beside the slowest member that is tried may come to one a little slower.
+// A state next to the slowest member that is tried may end in one a little slower.
 constexpr double slower = 0.5;
 
 // Slower members are not tried: each trial would take as long as its member is slow.

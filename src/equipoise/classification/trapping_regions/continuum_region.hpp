@@ -96,7 +96,7 @@ struct ContinuumRegion {
   /// In place of `factor` for attracting members slower than those tried, if they rest; 0: they catch nothing.
   double slow_factor = 0.0;
 
-  /// Refuses most states that are outside: those farther off than V allows. Null: none is refused.
+  /// Refuses most states that are outside: those further off than V allows. Null: none is refused.
   std::shared_ptr<const OffContinuum> off = nullptr;
 
   /// Whether a state (on a section if there is one) is inside. For a trajectory with a rotor of its own, around the
@@ -105,7 +105,7 @@ struct ContinuumRegion {
 };
 
 /// Level sets around the attracting members of a continuum. All of 1024 trial states on twice their levels, spread over
-/// the members, came near the continuum and were about to come to an attracting member; balls in contact may have
+/// the members, came near the continuum and were about to end in an attracting member; balls in contact may have
 /// touched on the way. 256 trials if the rotor's angle matters. Slower members that rest have a hundredth of that
 /// level. Empty if no level passes.
 std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,

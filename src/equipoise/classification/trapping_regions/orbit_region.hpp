@@ -13,7 +13,7 @@
 namespace equipoise {
 
 /// A table over a phase that follows from the state. If the rotor's angle matters that is the phase, whether it is
-/// known beside every state or part of it. Otherwise it is the angle of a ball that turns steadily along the motion,
+/// known next to every state or part of it. Otherwise it is the angle of a ball that turns steadily along the motion,
 /// the clock.
 struct OrbitRegion {
   static constexpr int rotor = -1;

@@ -30,7 +30,7 @@ using Eigen::VectorXd;
 // A place misses the middle between two places by (pi / 48)^3 / 6 = 5e-5 of an amplitude. A turn is a ball's or, if
 // none turns, lasts as long as the rotor swings once on its springs.
 constexpr int places_a_turn = 48, most_path_turns = 12, most_path_copies = 24;
-// States beside a place: more than half way to the next one, so that no gap opens where the motion bends.
+// States next to a place: more than half way to the next one, so that no gap opens where the motion bends.
 constexpr double place_reach = 0.8;
 // In System::scale().
 constexpr double highest_path_level = 4.0;

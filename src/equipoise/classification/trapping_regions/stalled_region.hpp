@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// All energy is lost, so the rotor comes to rest: in one place, or in one for each order of unlike balls that touch.
+/// All energy is lost, so the rotor comes to rest: in one place, or in one for each order of unlike touching balls.
 struct StalledRegion {
   struct Rest {
     std::vector<int> order;  ///< kinds of balls side by side; empty: any order

@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 // States are about 0.05 rad apart in either direction of the torus, whose curvature leaves 1e-3.
 constexpr int cloud = 16384, fresh = 512;
 constexpr double torus_tolerance = 1e-7;  // the torus attracts, so errors of steps do not add up
-// Of a cell's width: states farther off a plane lie on another sheet, or the torus bends too much for one plane. V of
+// Of a cell's width: states further off a plane lie on another sheet, or the torus bends too much for one plane. V of
 // states on V2 at Omega = 2.4 is then at most 6e-5; with a fifth, 2e-4.
 constexpr double bent = 0.1;
 // Trials begin at a distance of one half at most. A floor above highest_torus_floor leaves no room for a level.
@@ -71,7 +71,7 @@ class TorusRegion final : public WindowRegion {
     return region->floor_ < highest_torus_floor ? region : nullptr;
   }
 
-  // Beside state `which` of the cloud.
+  // Next to state `which` of the cloud.
   VectorXd state_on_level(std::size_t which, double level, const VectorXd& direction,
                           const OwnRotor* /*own*/) const override {
     const auto k = static_cast<Eigen::Index>(which) % states_.cols();

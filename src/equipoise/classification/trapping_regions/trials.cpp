@@ -1,5 +1,5 @@
 // Runs trials in chunks on all threads, and searches for levels by them: states on a level set, and whether all of them
-// come to the motion inside.
+// end in the motion inside.
 #include "equipoise/classification/trapping_regions/trials.hpp"
 
 #include <algorithm>
@@ -176,7 +176,7 @@ double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
 namespace {
 
 constexpr double widest_factor = 64.0;
-// If other rotors' motions lie farther off, V says too little about states near them: other motions come as close.
+// If other rotors' motions lie further off, V says too little about states near them: other motions come as close.
 constexpr double largest_floor = 0.01;
 // Levels where the search begins. In Floquet coordinates, which have no common size: above any that was found good.
 // With the rotor's angle as phase V is |d|^2 or more in natural sizes.
@@ -239,7 +239,7 @@ bool validate(std::vector<OrbitRegion>& regions, const TrialSettings& settings, 
   const auto complete = [&](Trials& trials, double tried, const TryRange& tries) {
     if (floor > std::min(come_inside * tried, largest_floor)) return false;
     auto close = std::make_shared<OrbitRegion>(one);
-    // A rotor of its own has its motion beside this one, where V does not fall to zero.
+    // A rotor of its own has its motion next to this one, where V does not fall to zero.
     const double share = tries.goes_far() ? std::max(come_close, floor / tried) : come_inside;
     close->level = share * tried;
     set_regions(trials.rule, system, {close}, {});

@@ -1,5 +1,5 @@
 // Trials: states followed by the lanes that decide, to see what catches them. A trapping region is widened to a level
-// from whose edge each of four thousand comes to the attractor.
+// from whose edge each of four thousand ends in the attractor.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +44,8 @@ struct TrialSettings {
 inline constexpr double slowest_worth_it = 2e-3;
 /// All trials come to this share of the level that they begin on: a quarter of the level that will be used.
 inline constexpr double come_inside = 0.125;
-/// A trajectory whose V falls to this share has come to the motion. The first part of all trials is followed that far.
-/// The others stop at come_inside: from there the first ones came to the motion.
+/// A trajectory whose V falls to this share has end in the motion. The first part of all trials is followed that far.
+/// The others stop at come_inside: from there the first ones ended in the motion.
 inline constexpr double come_close = 1e-3;
 
 /// This many states are followed together and share a flight.
@@ -88,7 +88,7 @@ struct LevelLadder {
 struct TrialCounts {
   std::size_t few = 128, all = 4096;
   bool low_may_fail = false;    ///< low levels may fail for rounding alone where higher ones pass
-  bool first_goes_far = false;  ///< the first part is followed farther, and a few of it run before the others
+  bool first_goes_far = false;  ///< the first part is followed further, and a few of it run before the others
 };
 
 /// Trials first .. first + count - 1 of `of`.
@@ -134,7 +134,7 @@ double level_by_trials(const TrialSettings& settings, Eigen::Index size, const L
 }
 
 /// Sets the level of a motion's trapping regions (one, or several that are exchange images of each other). It is half
-/// the highest of a falling series of levels from which all of 4096 states came to the motion. `slowest_rate`: of the
+/// the highest of a falling series of levels from which all of 4096 states ended in the motion. `slowest_rate`: of the
 /// approach, negative. False if no level passes, or if the search would take longer than an ensemble. `near`: as in
 /// highest_good_level(). `floor`: the least to which V can fall, as rotors of trials have motions of their own
 /// (own_floor()).

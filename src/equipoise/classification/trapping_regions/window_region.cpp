@@ -52,7 +52,7 @@ bool WindowRegion::may_hold(const double* state) const {
   return true;
 }
 
-// By how much farther off the states of a window may lie that ends inside the region.
+// By how much further off the states of a window may lie that ends inside the region.
 void WindowRegion::widen(WindowRegions& bounds) const {
   const double far = between_ + away_in_window * std::sqrt(level_);
   const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);

@@ -35,7 +35,7 @@ class WindowRegion {
   /// V, the least over the places that alike balls may take. Infinite if nothing on the motion is near, or the state is
   /// well above the level. `own`: the state's own rotor, or null.
   double value(const double* state, const OwnRotor* own = nullptr) const;
-  /// A state on `level` beside place `which` (modulo their number) of the motion.
+  /// A state on `level` next to place `which` (modulo their number) of the motion.
   virtual Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                          const OwnRotor* own = nullptr) const = 0;
 
@@ -51,7 +51,7 @@ class WindowRegion {
   int attractor_, balls_;
   double level_ = 0.0, floor_ = 0.0;
   double between_ = 0.0;  // largest distance along the motion between kept states
-  double rate_ = 0.0;     // at which states come to the motion, negative
+  double rate_ = 0.0;     // at which states end in the motion, negative
   Eigen::VectorXd inverse_scale_;
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of alike balls
 
@@ -69,7 +69,7 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& la
               const TrialSettings& settings, double near = 0.0);
 
 /// Places along the motion, equally spaced in time, each with a form P of deviations. V of a state is the least d^T P d
-/// over the places beside it, with d its deviation from the motion there. An equilibrium has one place. In
+/// over the places next to it, with d its deviation from the motion there. An equilibrium has one place. In
 /// System::scale() V is the square of the distance or more.
 ///
 /// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
@@ -138,7 +138,7 @@ class PathRegion final : public WindowRegion {
   Eigen::MatrixXd positions_;     // a column for each term of the coordinates; place after place
   int degree_ = 0;                // of these polynomials
   std::vector<Lacking> lacking_;  // in a family
-  double half_ = 0.0;             // a state up to this much earlier or later lies beside a place; 0 for an equilibrium
+  double half_ = 0.0;             // a state up to this much earlier or later lies next to a place; 0 for an equilibrium
   std::vector<double> table_;     // all that value_in_place() reads, for all places
 };
 

@@ -28,8 +28,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using PackTag = HWY_CAPPED(double, 8);
 inline constexpr std::size_t pack_lanes = HWY_LANES(double) < 8 ? HWY_LANES(double) : 8;
 
-// Portable code beside that for wider registers, which nearly every processor runs instead: compiled in fewer shapes, with
-// the same results.
+// Portable code next to that for wider registers, which nearly every processor runs instead: compiled in fewer shapes,
+// with the same results.
 inline constexpr bool seldom_run = HWY_TARGET == HWY_SCALAR && HWY_TARGETS != HWY_SCALAR;
 
 // What `{}` makes is zero, or false. Highway's vectors and masks of Arm have constructors of their own, which leave

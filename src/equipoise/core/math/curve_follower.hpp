@@ -38,7 +38,7 @@ class CurveFollower {
   std::optional<Eigen::VectorXd> at_plane(const Eigen::VectorXd& guess, const Eigen::VectorXd& normal) const;
   /// A point of the curve near `guess`: across the equations' gradients.
   std::optional<Eigen::VectorXd> nearby(const Eigen::VectorXd& guess) const;
-  /// Unit tangent on the side of `towards`. Empty beside places where the equations are not defined.
+  /// Unit tangent on the side of `towards`. Empty next to places where the equations are not defined.
   std::optional<Eigen::VectorXd> tangent(const Eigen::VectorXd& at, const Eigen::VectorXd& towards) const;
 
   struct Step {

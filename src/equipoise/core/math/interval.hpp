@@ -36,7 +36,7 @@ struct Interval {
   }
 
   double middle() const { return 0.5 * low + 0.5 * high; }
-  /// No point of the interval is farther than this from middle().
+  /// No point of the interval is further than this from middle().
   double radius() const {
     const double m = middle();
     return rounded_up(std::max(high - m, m - low));

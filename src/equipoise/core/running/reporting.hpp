@@ -1,4 +1,4 @@
-// Work on its own thread, with reports on the thread that asked for it.
+// Work on its own thread, with reports on the thread that requested it.
 #pragma once
 
 #include <condition_variable>

@@ -195,7 +195,7 @@ Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
   return border;
 }
 
-// Boxes are many and small. Of those at an edge of a pixel the one at its centre counts.
+// Boxes are many and small. For those at an edge of a pixel the one at its centre counts.
 Raster raster_of(const BifurcationChart& chart) {
   constexpr int side = most_drawn_pixels;
   const SliceAxis x{"", chart.plane.x.low, chart.plane.x.high, side},

@@ -29,7 +29,7 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style =
 /// One JSON object. docs/reference/commands/stability.md lists the keys.
 std::string stability_json(const StabilityPlane& plane);
 
-/// One line a point: both values, then the numbers of point_numbers.
+/// One line per point: both values, then the numbers of point_numbers.
 std::string stability_csv(const StabilityPlane& plane);
 
 /// A picture file (SVG). Where balance is stable or unstable the plane is the darker, the faster deviations die out or
@@ -66,7 +66,7 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style = w
 /// One JSON object. docs/reference/commands/chart.md lists the keys.
 std::string chart_json(const BifurcationChart& chart);
 
-/// One line a point of a curve.
+/// One line per point of a curve.
 std::string chart_csv(const BifurcationChart& chart);
 
 /// A picture file (SVG): boxes in which something is proved, shaded by what; curves, solid where a stable balance loses

@@ -30,7 +30,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(plane, settings.boxes, settings.undecided, settings.stop, chart);
     add_curves_between_boxes(plane, settings.stop, chart);
-    if (settings.cycles && !is_set(settings.stop)) add_cycles(plane, settings, chart);  // which then tells what it left
+    if (settings.cycles && !is_set(settings.stop)) add_cycles(plane, settings, chart);  // which then shows what it left
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);
   if (!settings.output.empty()) write_chart_file(settings.output, chart);

@@ -1,4 +1,4 @@
-// A flood through neighbours that are alike; a region's own place is the point farthest from its edge.
+// A flood through neighbours that are alike; a region's own place is the point furthest from its edge.
 #include "equipoise/extras/curves/curve_starts.hpp"
 
 #include <algorithm>

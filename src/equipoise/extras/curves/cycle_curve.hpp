@@ -39,7 +39,7 @@ class CycleCurve : public FollowedCurve {
   bool add_single_cycle(Way& way) const;
 
   CycleShape shape(const Eigen::VectorXd& at) const { return shooting_.shape(at.tail(shooting_.unknowns())); }
-  /// What is known of the place that was asked for last. False where nothing is.
+  /// What is known of the place that was requested last. False where nothing is.
   bool look_at(const Eigen::VectorXd& at) const;
   bool look_closer() const;
   double turn_at(const CurvePlace& place) const;

@@ -68,7 +68,7 @@ class CycleSearch : ChartSearch {
  private:
   VectorXd place_of(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
-  // At equal distances along the curve, and beside special points, where curves of cycles begin; then across it.
+  // At equal distances along the curve, and next to special points, where curves of cycles begin; then across it.
   void add_origins(const ChartCurve& curve, std::vector<CycleOrigin>& origins) const {
     constexpr double apart = 0.1;  // of the plane's sides
     constexpr double fewest = 8.0;

@@ -52,7 +52,7 @@ class FollowedCurve {
   /// Its derivatives; by differences unless a curve knows them better.
   virtual std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const { return follower_.differences(at); }
   virtual std::optional<CurvePlace> described(const Eigen::VectorXd& at) const = 0;
-  /// Why the place asked for last could not be described.
+  /// Why the place requested last could not be described.
   virtual CurveEnd undescribed() const { return CurveEnd::lost; }
   /// What kind of point it is where a real eigenvalue of a Hopf curve is 0.
   virtual SpecialKind kind_at_zero(const CurvePlace&) const { return SpecialKind::zero_hopf; }
@@ -121,7 +121,7 @@ inline void put_state(const BalanceSpectrum& at, CurvePoint& point) {
 /// where the pair is no pair or another eigenvalue is 0.
 std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency);
 
-/// Unstable eigenvalues besides the pair.
+/// Unstable eigenvalues in addition to the pair.
 int unstable_besides(const std::vector<std::complex<double>>& rates, const EigenPair& pair);
 
 /// In the unit square: its unknowns are the two parameters alone.

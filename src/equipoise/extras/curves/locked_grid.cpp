@@ -152,7 +152,7 @@ class LockedSearch : ChartSearch {
     const std::string& of = kinds_[kind].name;
     if (is_known(curve_kind, of, at, std::sqrt(std::max(0.0, pair.product)))) return;
     LockedCurve curve(plane_, curve_kind, kinds_[kind], middle_, pair);
-    // A motor's states may be missed beside a fold: the curve that is found may then be farther away.
+    // A motor's states may be missed next to a fold: the curve that is found may then be further away.
     if (curve.follow_from(at, state, stop_, known(curve_kind, of))) add_curve(curve_kind, of, curve);
   }
 

@@ -136,7 +136,7 @@ class FedStates {
     }
     found.push_back(*state(high, root));
   }
-  // The control's integral makes the torque that is needed at the speed asked for.
+  // The control's integral makes the torque that is needed at the speed requested.
   std::vector<VectorXd> controlled() const {
     std::vector<VectorXd> found;
     const double speed = system_.no_load_speed().value_or(0.0);

@@ -31,7 +31,7 @@ std::vector<LockedKind> locked_kinds(const model::Parameters& p, std::size_t mos
 std::string locked_states_lack(const model::System& system);
 
 /// All states of this kind: none, or two that merge in a fold, in an order that a change of parameters keeps. Of a
-/// motor as many as it can feed, by speed. Of a kind that is its own mirror image one state stands for both.
+/// motor as many as it can feed, by speed. For a kind that is its own mirror image one state stands for both.
 std::vector<Eigen::VectorXd> locked_states(const model::System& system, const LockedKind& kind);
 
 /// States whose alike balls on one side move as one: a smaller state, in which folds and Hopf curves are sought.

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// In units of a state's scale: an error of its square beside that of the integrations over it.
+// In units of a state's scale: an error of its square next to that of the integrations over it.
 constexpr double arc_difference = 1e-5;
 constexpr double natural_cycle = 10.0;  // of all nodes together; steps are then limited by the plane
 

@@ -39,7 +39,7 @@ struct CurvePoint {
   /// First Lyapunov coefficient as a change of the growth rate: omega_c per square of the largest swing of a ball, in
   /// radians. Negative: a swing that grows settles small (supercritical). Not a number of continua.
   double lyapunov = frequency;
-  /// Unstable eigenvalues, or multipliers, besides those that cross: 0 where the motion itself loses stability.
+  /// Unstable eigenvalues, or multipliers, in addition to those that cross: 0 where the motion itself loses stability.
   int others = 0;
   double swing = frequency;  ///< of a cycle: half of what the ball covers that swings most, radians
   /// Of model::System, that of which this is a point, or a state of the cycle; none of `existence`.
@@ -90,14 +90,14 @@ struct ChartCurve {
   std::string of = of_balance;     ///< or the locked state's name
   std::vector<CurvePoint> points;  ///< in order along the curve
   std::array<CurveEnd, 2> ends{};  ///< of the first and the last point
-  double error = 0.0;              ///< no point is farther from the curve, as a part of the plane's sides
+  double error = 0.0;              ///< no point is further from the curve, as a part of the plane's sides
 };
 
 /// A point where a curve changes its kind. The values stand in files.
 enum class SpecialKind : signed char {
   generalised_hopf = 0,   ///< the first Lyapunov coefficient passes through 0
   double_hopf = 1,        ///< a second pair lies on the imaginary axis
-  zero_hopf = 2,          ///< a real eigenvalue is zero beside the pair
+  zero_hopf = 2,          ///< a real eigenvalue is zero next to the pair
   bogdanov_takens = 3,    ///< the pair's frequency is 0
   cusp = 4,               ///< two folds meet
   fold_hopf = 5,          ///< a pair lies on the imaginary axis where two locked states merge
@@ -136,7 +136,7 @@ struct ChartRegion {
   std::vector<Locked> locked;  ///< in the order of BifurcationChart::locked
   std::size_t points = 0;
   double part = 0.0;        ///< of the grid's points
-  double x = 0.0, y = 0.0;  ///< the point farthest from the region's edge
+  double x = 0.0, y = 0.0;  ///< the point furthest from the region's edge
 };
 
 /// What interval arithmetic proves of every point of a box.
@@ -159,12 +159,12 @@ struct BifurcationChart {
     std::size_t points = 0;   ///< each way
   } cycle_bounds;
   std::size_t cycles_left = 0;       ///< places where cycles change that were not followed: the chart was stopped
-  std::string no_cycles;             ///< why they are not known of this rotor; empty: they are, or were not asked for
+  std::string no_cycles;             ///< why they are not known of this rotor; empty: they are, or were not requested
   std::vector<ChartRegion> regions;  ///< the largest first; none if the chart was stopped
   std::vector<int> region_of;        ///< by point of the grid
   std::vector<ProofBox> boxes;       ///< cover the plane; none if nothing was to be proved
   double undecided = 0.0;            ///< the part of the plane at which proofs were to end
-  std::string not_proved;  ///< why nothing can be proved of this rotor; empty: boxes were tried, or not asked for
+  std::string not_proved;  ///< why nothing can be proved of this rotor; empty: boxes were tried, or not requested
   bool complete = true;
 
   /// Part of the plane, 0 to 1.

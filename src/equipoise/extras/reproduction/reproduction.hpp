@@ -23,7 +23,7 @@ namespace equipoise {
 enum class LawChoice { published, kinematic, both };
 inline constexpr std::array<const char*, 3> law_choice_names{"published", "kinematic", "both"};
 
-/// Progress is in starts of all ensembles asked for, then in curves, pixels and starts of the other parts.
+/// Progress is in starts of all ensembles requested, then in curves, pixels and starts of the other parts.
 struct ReproduceOptions : RunOptions {
   std::vector<int> tables;  ///< 1 to 7
   LawChoice laws = LawChoice::both;
@@ -142,7 +142,7 @@ std::vector<std::string> reproducible();
 /// Options for these; empty: everything. Throws InputError for names that are not in reproducible().
 ReproduceOptions options_for(const std::vector<std::string>& what);
 
-/// Everything asked for, judged and summed up. The caller draws the pictures. After a stop the result is partial, and
+/// Everything requested, judged and summed up. The caller draws the pictures. After a stop the result is partial, and
 /// missing rows of tables are marked. Throws as basin() does.
 Reproduction reproduce(const ReproduceOptions& options);
 

@@ -26,7 +26,7 @@ model::System linear_system(const model::System& system, LinearRotor& rotor) {
 }
 
 // Whether all balanced states have the same eigenvalues. The two of a plane rotor are mirror images, on equal supports
-// or of balls that are alike. Of a rotor that tilts, whose planes may close their polygons this way or that, each by
+// or of balls that are alike. For a tilting rotor, whose planes may close their polygons this way or that, each by
 // itself, they have if the balls of either plane are alike.
 bool same_rates(const model::System& system) {
   const model::Parameters& p = system.parameters();

@@ -26,7 +26,7 @@ struct BalancedStates {
   std::string reason;
 };
 
-/// Of a rotor that tilts: tilt_balanced_states(). Else it exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda +
+/// Of a tilting rotor: tilt_balanced_states(). Else it exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda +
 /// sum mu_i (polygon inequality), balls that collide have room for it (machine/balance/cancelling.hpp), and there is no
 /// gravity.
 BalancedStates balanced_states(const Parameters& p);
@@ -56,7 +56,7 @@ bool project_to_balanced(const System& system, double speed, double* phi);
 /// The balanced state with these ball angles at `speed`; psi, if in the state, is 0.
 Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi);
 /// Of a system's state: distance from the axis of rotation of the race's centre, which lies on it in balance. Of a
-/// rotor that tilts, with the slope of its shaft as a further distance.
+/// tilting rotor, with the slope of its shaft as a further distance.
 double off_balance(const Parameters& p, const Eigen::VectorXd& state);
 /// Dimension of a continuum of balanced states: how many angles are free.
 int cancelling_freedom(const Parameters& p);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double without_end = std::numeric_limits<double>::infinity();
 
-// Balls that touch, or a single one.
+// Touching balls, or a single one.
 struct Group {
   double drag;  // sum of mu_i beta_i: the torque of all, over the speed
   double from;  // speed from which they are carried

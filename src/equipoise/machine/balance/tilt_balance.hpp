@@ -1,4 +1,4 @@
-// Balance of a rotor that tilts: its balls cancel the static and the couple unbalance together.
+// Balance of a tilting rotor: its balls cancel the static and the couple unbalance together.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ std::vector<BallPlane> planes_of_balls(const Parameters& p);
 bool project_to_tilt_balanced(const Parameters& p, double* phi);
 
 /// How far the balls are from too light or too unlike to balance the rotor: 0 or more where a balanced state exists.
-/// The least over the planes of U + sum mu_i - 2 max(U, mu_i), with the plane's share U of the unbalance. Of balls in
+/// The least over the planes of U + sum mu_i - 2 max(U, mu_i), with the plane's share U of the unbalance. For balls in
 /// one plane that leave a couple, what is left of it, negative; with more than two planes not a number.
 double tilt_balance_margin(const Parameters& p);
 

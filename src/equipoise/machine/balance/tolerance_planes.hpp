@@ -1,4 +1,4 @@
-// The unbalance that ISO 21940-11 judges of a rotor that tilts: resolved into two planes across the shaft, each with
+// The unbalance that ISO 21940-11 judges of a tilting rotor: resolved into two planes across the shaft, each with
 // its share of what the whole rotor may have. A plane that holds more than its share fails, whatever the other holds.
 #pragma once
 
@@ -26,7 +26,7 @@ struct PlaneUnbalance {
   std::array<double, max_balls> ball{};
 };
 
-/// Of a rotor that tilts, in two planes. Of planes at one place the static unbalance, twice.
+/// Of a tilting rotor, in two planes. Of planes at one place the static unbalance, twice.
 std::array<PlaneUnbalance, 2> plane_unbalances(const Parameters& p, const std::array<double, 2>& planes);
 
 /// Both with the balls at `phi`, one angle a ball.

@@ -96,7 +96,7 @@ struct DriveSegment {
   /// Whether the torque brakes a rotor that is fast enough, or a control brings it to its speed.
   bool brakes() const;
   /// The speed at which the torque at the piece's begin, without error, is `damping` psi': where it falls through that
-  /// line, and of several the fastest in the sense of the torque at rest. Of a linear torque its only such speed,
+  /// line, and of several the fastest in the sense of the torque at rest. For a linear torque its only such speed,
   /// stable or not. Empty if there is none.
   std::optional<double> even_speed(double damping) const;
   /// The same drive of a rotor that turns the other way.

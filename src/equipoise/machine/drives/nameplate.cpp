@@ -38,7 +38,7 @@ CurvePoints nameplate_curve(const Nameplate& motor) {
   const auto speed = [&](int i) { return motor.synchronous_speed * i / samples; };
   std::vector<double> torque;
   for (int i = 0; i <= samples; ++i) torque.push_back(nameplate_torque(motor, speed(i)));
-  // The sample that is farthest from its chord becomes the next point.
+  // The sample that is furthest from its chord becomes the next point.
   std::vector<int> chosen{0, samples};
   while (chosen.size() < points) {
     int farthest = 0;

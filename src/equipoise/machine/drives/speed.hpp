@@ -43,8 +43,8 @@ struct SpeedProfile {
   std::optional<double> first_time_at(double speed) const;
 };
 
-/// What bends the speed over a piece of time, sum of by[k] u^(k + 1) with u = rate tau, besides its line from end to
-/// end.
+/// What bends the speed over a piece of time, sum of by[k] u^(k + 1) with u = rate tau, in addition to its line from
+/// end to end.
 struct SpeedCurve {
   static constexpr int terms = 15;
 

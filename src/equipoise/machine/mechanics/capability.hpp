@@ -79,7 +79,7 @@ inline constexpr std::array<Capability, 13> capabilities{{
       Need::no_gravity}},
     {ResultKind::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive}},
     {ResultKind::maps, "maps", "map", {Need::turning, Need::lasting_drive}},
-    // Around a torus of a rotor that tilts there are so many directions that trials would cost more than they save.
+    // Around a torus of a tilting rotor there are so many directions that trials would cost more than they save.
     {ResultKind::torus_regions,
      "trapping regions of tori",
      "",

@@ -22,19 +22,19 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
 /// Powers at the same instant, with the segment's clamp.
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
 
-/// The same of a rotor that tilts, in a state of machine_layout(p): `torque`, on the rotor; `held`: whether its balls
+/// The same of a tilting rotor, in a state of machine_layout(p): `torque`, on the rotor; `held`: whether its balls
 /// are.
 Powers tilting_powers(const Parameters& p, double torque, bool held, const double* z);
 
 /// Energy of a machine in state `z` (of machine_layout(p)), with its own inertia and race.
 double full_energy(const Parameters& p, const double* z);
 
-/// What the supports' dampers take from a rotor that tilts besides damping[0] X'^2 + damping[1] Y'^2. `z`, `tilt`: its
-/// state and the four variables of the tilt.
+/// What the supports' dampers take from a tilting rotor in addition to damping[0] X'^2 + damping[1] Y'^2. `z`, `tilt`:
+/// its state and the four variables of the tilt.
 double power_taken_from_tilt(const Parameters& p, double psi, const double* z, const double* tilt);
 
 /// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}, at rotor angle `psi`.
-/// `tilt`: the four variables of a rotor that tilts, whose supports are taken together.
+/// `tilt`: the four variables of a tilting rotor, whose supports are taken together.
 std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z, const double* tilt = nullptr);
 
 }  // namespace equipoise::model

@@ -35,10 +35,10 @@ struct MotionFigures {
   double rms_one_direction = 0.0;                ///< velocity in X or Y, whichever has more
 };
 
-/// Of one body with this unbalance at constant `speed`. With damping in both directions it comes to no other motion.
+/// Of one body with this unbalance at constant `speed`. With damping in both directions it ends in no other motion.
 MotionFigures forced_vibration(const Parameters& p, double unbalance, double speed);
 
-/// The same of a rotor that tilts with its balls held at `phi`, at the worse of these places along its shaft. The force
+/// The same of a tilting rotor with its balls held at `phi`, at the worse of these places along its shaft. The force
 /// is that of the bearing that takes most, or without `bearings` that of all supports together.
 MotionFigures forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
                                const std::vector<Bearing>& bearings, double speed);

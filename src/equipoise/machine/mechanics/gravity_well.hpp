@@ -12,7 +12,7 @@
 namespace equipoise::model {
 
 /// Let tau be the motor's torque at rest. E - tau psi never grows if the torque does not rise with the speed: dampers,
-/// drag, friction and impacts only dissipate. A rotor below the lower of the two maxima beside its well never leaves
+/// drag, friction and impacts only dissipate. A rotor below the lower of the two maxima next to its well never leaves
 /// the well and comes to rest in it. This is exact: nothing is linearised or sampled.
 class GravityWell {
  public:

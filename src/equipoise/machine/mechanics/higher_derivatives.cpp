@@ -18,7 +18,7 @@ using PlainFlow = HWY_NAMESPACE::FreeFlow<T, any_count, HWY_NAMESPACE::Terms{fal
 
 Segment at_constant_speed(const System& system) { return {0.0, 0.0, 0.0, system.speed(), 0.0, false}; }
 
-// The largest state of a rotor that tilts at a prescribed speed.
+// The largest state of a tilting rotor at a prescribed speed.
 constexpr int most_tilting = dimension(max_balls) + 4;
 
 // dy/dt at `state`, both of most_tilting components.

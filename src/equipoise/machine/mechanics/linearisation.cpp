@@ -18,7 +18,7 @@ constexpr kernels::Terms autonomous{false, false, false};
 Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}; }
 
 // A dual number has a slope for each variable. Two balls in a plane have 8 variables; 16 are those of four balls on a
-// rotor that tilts, or of six in a plane. Slopes do not mix, so the width moves no bit of a result.
+// tilting rotor, or of six in a plane. Slopes do not mix, so the width moves no bit of a result.
 template <int most, class Use>
 Eigen::MatrixXd at_width(int size, const Use& use) {
   if (size <= 8) return use(std::integral_constant<int, 8>());

@@ -1,4 +1,4 @@
-// A rotor that tilts, turning as one body: the speeds at which it whirls once a turn, and how its unbalance shakes it.
+// A tilting rotor, turning as one body: the speeds at which it whirls once a turn, and how its unbalance shakes it.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Bearings of a rotor that tilts, one by one.
+// Bearings of a tilting rotor, one by one.
 #pragma once
 
 #include <array>

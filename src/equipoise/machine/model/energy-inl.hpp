@@ -107,7 +107,7 @@ class RotorEnergy {
   T mass_[model::max_balls], drag_force_[model::max_balls], radius_[model::max_balls];
 };
 
-// Of a rotor that tilts (docs/explanation/equations.md, "A rotor that tilts"), whose slopes sx, sy and their rates
+// Of a tilting rotor (docs/explanation/equations.md, "A tilting rotor"), whose slopes sx, sy and their rates
 // stand from `place` on in the state.
 template <class T>
 class TiltEnergy {

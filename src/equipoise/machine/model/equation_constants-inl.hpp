@@ -18,11 +18,11 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// What a rotor that tilts adds to the equations of motion: the supports' moments, its gyroscopic moment, and the
-// balance of moments, whose unknown is the inertial acceleration B of the shaft's slope beside that of its centre, A
-// (docs/explanation/equations.md, "A rotor that tilts").
+// What a tilting rotor adds to the equations of motion: the supports' moments, its gyroscopic moment, and the
+// balance of moments, whose unknown is the inertial acceleration B of the shaft's slope next to that of its centre, A
+// (docs/explanation/equations.md, "A tilting rotor").
 
-// Sums over rotor and balls beside those of the plane rotor: what acts on the slope, and what it has to move.
+// Sums over rotor and balls next to those of the plane rotor: what acts on the slope, and what it has to move.
 template <class T>
 struct TiltSums {
   Vector2<T> couple;           // of the body: its couple unbalance, held balls included
@@ -205,12 +205,12 @@ class TiltConstants {
 struct NoTilt {};
 
 // A ball that rolls resists accelerations as two masses do: 2/7 of it fixed to the race's surface, where they touch,
-// and 5/7 that slides (docs/explanation/equations.md, "Balls that roll"). The race's centre feels the centrifugal force
+// and 5/7 that slides (docs/explanation/equations.md, "Rolling balls"). The race's centre feels the centrifugal force
 // of the whole.
 template <class T, int room, Terms terms>
 class BalancerConstants {
  public:
-  // `tilt`: the place of sx in the state of a rotor that tilts.
+  // `tilt`: the place of sx in the state of a tilting rotor.
   explicit BalancerConstants(const model::Parameters& p, [[maybe_unused]] int tilt = -1)
       : n(p.balls),
         zeta_mean_(0.5 * (p.damping[0] + p.damping[1])),

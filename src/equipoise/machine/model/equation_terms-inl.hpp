@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Terms beyond the isotropic horizontal rotor at constant speed with balls that slide. A term that is off leaves no
+// Terms beyond the isotropic horizontal rotor at constant speed with sliding balls. A term that is off leaves no
 // operation behind.
 struct Terms {
   bool acceleration = true;
@@ -27,7 +27,7 @@ struct Terms {
   bool tilt = false;     // the rotor tilts, and balls run in planes of their own (equation_constants-inl.hpp)
 };
 
-// Of any rotor at any drive, as a body; one that tilts has a centred race and balls that slide.
+// Of any rotor at any drive, as a body; one that tilts has a centred race and sliding balls.
 constexpr Terms body_terms(bool tilt, bool actions = false) {
   return {.acceleration = true,
           .anisotropy = true,
@@ -92,7 +92,7 @@ struct BallActions {
   BallForces<T, room>* forces = nullptr;  // receives what balls feel, if given
 };
 
-// What a body's equations are solved for besides rates.
+// What a body's equations are solved for in addition to rates.
 template <class T>
 struct BodyResult {
   Vector2<T> race;  // acceleration of the race's centre, plus gravity
@@ -153,7 +153,7 @@ class CurveMotion {
   T rate_, by_[terms];
 };
 
-// What one bearing of a rotor that tilts takes.
+// What one bearing of a tilting rotor takes.
 template <class T>
 class BearingForce {
  public:

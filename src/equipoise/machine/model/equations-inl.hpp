@@ -79,7 +79,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
       Constants::beta_, Constants::drag_force_, Constants::offset_, Constants::carried_, Constants::effective_arm_,
       Constants::euler_factor_, Constants::inertia_along_, Constants::inverse_inertia_, Constants::sizes_differ_,
       Constants::sliding_mass, Constants::along_race, Constants::times_arm, Constants::tilt_;
-  // What is done for one lane and not for another is done for both and told apart afterwards.
+  // What is done for one lane and not for another is done for both and distinguished afterwards.
   static constexpr bool masked = terms.actions && !std::is_same_v<MaskOf<T>, bool>;
 
   static HWY_INLINE bool is_held(const BallActions<T, room>* actions, int i) {

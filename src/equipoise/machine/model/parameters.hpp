@@ -17,7 +17,7 @@ struct Ratio {
 /// Moment of inertia of a solid sphere about its centre, over its mass and the square of its radius.
 inline constexpr Ratio sphere_inertia{2.0, 5.0};
 
-/// How a rotor tilts, and where along its shaft the balls run (docs/explanation/equations.md, "A rotor that tilts").
+/// How a rotor tilts, and where along its shaft the balls run (docs/explanation/equations.md, "A tilting rotor").
 /// Places along the shaft count from the rotor's centre of mass, in R; moments of inertia in M R^2, without the balls.
 struct Tilt {
   double transverse_inertia = 0.0;  ///< Jt, about a diameter; 0: the rotor does not tilt
@@ -26,7 +26,7 @@ struct Tilt {
   /// Of the supports in X and Y: {k12, k22}, the moment for a deflection, or force for a tilt, and the moment for a
   /// tilt.
   std::array<std::array<double, 2>, 2> stiffness{};
-  std::array<std::array<double, 2>, 2> damping{};  ///< likewise {c12, c22}
+  std::array<std::array<double, 2>, 2> damping{};  ///< also {c12, c22}
   std::array<double, max_balls> plane{};           ///< z_i: of each ball's race
 
   /// The couple unbalance chi (Jt - Jp), along angle 0.
@@ -67,7 +67,7 @@ struct Parameters {
     return sum;
   }
   /// lambda + sum mu_i: the largest possible unbalance, and the order of magnitude of r and of the rotor's velocity.
-  /// Of a rotor that tilts with the couple unbalance, and of the order of the tilt too.
+  /// Of a tilting rotor with the couple unbalance, and of the order of the tilt too.
   double all_unbalances() const {
     const double sum = eccentricity + total_mass();
     return tilts() ? sum + std::fabs(tilt.couple()) : sum;

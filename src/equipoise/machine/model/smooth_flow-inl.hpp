@@ -57,7 +57,7 @@ class SmoothFlow {
   RotorDrive<T> drive_;
 };
 
-// Calls `f(std::bool_constant<tilt>{})`: code for rotors that tilt is apart from that of all others.
+// Calls `f(std::bool_constant<tilt>{})`: code for tilting rotors is apart from that of all others.
 template <class F>
 decltype(auto) with_tilt(const model::System& system, F&& f) {
   return system.tilts() ? f(std::true_type{}) : f(std::false_type{});

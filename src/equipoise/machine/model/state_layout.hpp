@@ -11,7 +11,7 @@
 namespace equipoise::model {
 
 /// x, y, u, v, phi_1..phi_n, q_1..q_n of parameters.hpp, then those of psi, psi' and the integral of a speed control's
-/// error that belong to the state, in this order. A rotor that tilts has four more at the end: its shaft's slopes sx,
+/// error that belong to the state, in this order. A tilting rotor has four more at the end: its shaft's slopes sx,
 /// sy along the rotating axes, and their INERTIAL rates in rotating components, us = sx' - psi' sy, vs = sy' + psi' sx.
 /// The section at z along the shaft has its centre at (x + z sx, y + z sy).
 ///
@@ -20,7 +20,7 @@ namespace equipoise::model {
 struct StateLayout {
   int balls = 0;
   int psi = -1, speed = -1, error = -1;  ///< places; -1: not part of the state
-  int tilt = -1;                         ///< likewise; of sx, which sy, us and vs follow
+  int tilt = -1;                         ///< also; of sx, which sy, us and vs follow
   int size = model::dimension(0);
 
   static constexpr StateLayout of(int balls, bool psi, bool speed, bool error, bool tilt = false) {

@@ -34,7 +34,7 @@ inline Parameters weakened(Parameters p, double share) {
 /// The time in which the rotor turns by section_angle() at constant `speed`, not 0.
 inline double section_period(const Parameters& p, double speed) { return section_angle(p) / std::fabs(speed); }
 
-/// Centre and slope of a rotor that tilts, along Y, under the weight of rotor and balls.
+/// Centre and slope of a tilting rotor, along Y, under the weight of rotor and balls.
 inline std::array<double, 2> static_tilt(const Parameters& p) {
   double moment = 0.0;
   for (int i = 0; i < p.balls; ++i) moment += p.mass[i] * p.tilt.plane[i];
@@ -51,12 +51,12 @@ inline double static_sag(const Parameters& p) {
   return -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];
 }
 
-/// Of a rotor that tilts: its slope there, along Y.
+/// Of a tilting rotor: its slope there, along Y.
 inline double static_slope(const Parameters& p) { return p.tilts() ? static_tilt(p)[1] : 0.0; }
 
 /// Of rotor and balls.
 inline double total_weight(const Parameters& p) { return (1.0 + p.total_mass()) * p.gravity; }
-/// What a bearing of a rotor that tilts takes of it at rest, along Y: negative where the shaft rests below the springs.
+/// What a bearing of a tilting rotor takes of it at rest, along Y: negative where the shaft rests below the springs.
 inline double load_at_rest(const Parameters& p, const Bearing& b) {
   return b.stiffness[1] * (static_sag(p) + b.at * static_slope(p));
 }

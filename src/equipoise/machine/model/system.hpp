@@ -36,7 +36,7 @@ Eigen::VectorXd state_scale(const Parameters& p);
 /// Speed, in critical speeds, above which no resonance can hold a rotor.
 inline constexpr double out_of_reach = 30.0;
 
-/// The state is layout()'s. Of a driven rotor psi', on section turn psi, and where the motor's control integrates the
+/// The state is layout()'s. For a driven rotor psi', on section turn psi, and where the motor's control integrates the
 /// speed error that integral, are part of it.
 class System {
  public:

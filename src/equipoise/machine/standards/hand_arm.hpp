@@ -8,7 +8,7 @@ namespace equipoise::standards {
 double hand_arm_weighting(double frequency);
 
 /// Weighted acceleration, m/s^2, of all directions together, of a vibration at one frequency (Hz) with this root mean
-/// square velocity of all directions together (m/s). Of a circular orbit of radius r: W_h r omega^2.
+/// square velocity of all directions together (m/s). For a circular orbit of radius r: W_h r omega^2.
 double hand_arm_acceleration(double frequency, double rms_velocity);
 
 /// Daily exposures A(8) over eight hours from which employers must act, and which nobody may exceed, m/s^2 (Directive

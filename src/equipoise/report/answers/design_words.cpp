@@ -27,7 +27,7 @@ constexpr std::string_view all_kept = "All requirements are kept: ";
 struct Thing {
   const char* key;
   const char* name;    // "ball diameter"
-  const char* before;  // its value follows: "balls let go at "
+  const char* before;  // its value follows: "balls released at "
 };
 constexpr std::array<Thing, 12> known_things{{{"balancer.balls", "number of balls", ""},
                                               {"balancer.ball_diameter", "ball diameter", ""},

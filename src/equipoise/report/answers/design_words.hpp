@@ -24,7 +24,7 @@ std::string setting_text(const StudyValue& value);
 /// "balancer.drag"; for a spin-up "speed of point 1", where point 0 is its start.
 std::string margin_name(const std::string& key);
 
-/// What was chosen, as things: "4 balls of 12 mm, ISO VG 46, balls let go at 840 rpm".
+/// What was chosen, as things: "4 balls of 12 mm, ISO VG 46, balls released at 840 rpm".
 std::string things_chosen(const Study& study, const std::vector<DesignSetting>& settings);
 /// A variable as a thing: "ball diameter" of "balancer.ball_diameter", "speed of point 1" of "speed.speeds[1]".
 std::string thing_of(const std::string& key);

@@ -33,7 +33,7 @@ double turns_a_second(const BasinResult& r, const TransientGroup& group) {
   return std::fabs(speed) * r.study.scales->frequency / two_pi;
 }
 
-// What is judged: the ensemble, beside the rotor without balls; of a study without balls that rotor alone.
+// What is judged: the ensemble, next to the rotor without balls; of a study without balls that rotor alone.
 struct Judged {
   const TransientGroup& all;
   const TransientGroup* beside;
@@ -48,7 +48,7 @@ std::optional<Judged> judged(const BasinResult& r) {
   return Judged{r.transients->groups.front(), &bare.figures, false};
 }
 
-// m/s^2: of what is judged in the median and in nine of ten, and of the rotor beside it.
+// m/s^2: of what is judged in the median and in nine of ten, and of the rotor next to it.
 struct HandArm {
   double median, ninety;
   std::optional<double> bare;

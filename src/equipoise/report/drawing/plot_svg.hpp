@@ -50,7 +50,7 @@ void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries);
 /// title has no legend. `described`: text for those who cannot see it.
 std::string plot_svg(const Plot& plot, const std::string& described, double width = drawing_width);
 
-/// Plots beside each other.
+/// Plots next to each other.
 DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
                  bool may_be_wide);
 

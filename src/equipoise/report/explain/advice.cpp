@@ -1,4 +1,4 @@
-// Each rule of thumb applied to a study, beside what linear theory gives.
+// Each rule of thumb applied to a study, next to what linear theory gives.
 #include "equipoise/report/explain/parts.hpp"
 
 #include <algorithm>

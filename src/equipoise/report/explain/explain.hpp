@@ -13,7 +13,7 @@
 
 namespace equipoise {
 
-/// Takes any study that read_study() accepts. Of a rotor that tilts there are no rules of thumb, and no run-up. Once
+/// Takes any study that read_study() accepts. For a tilting rotor there are no rules of thumb, and no run-up. Once
 /// `stop` is set, rates near balance are left out.
 Explanation explain(const Study& study, const StopFlag* stop = nullptr);
 

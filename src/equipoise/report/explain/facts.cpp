@@ -190,7 +190,7 @@ class Facts {
     quality("; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
   }
 
-  // `how`: what it is of. Of a rotor that tilts without two bearings, why there is none.
+  // `how`: what it is of. For a tilting rotor without two bearings, why there is none.
   void quality(const char* how) {
     if (!e_.study.scales) return;
     const auto grade = own_balance_grade(e_.study, *e_.speed);

@@ -106,7 +106,7 @@ const char* but_unstable(const Explanation& e) {
   return e.motion && !e.motion->stable ? ", but balance is not stable at the final speed" : "";
 }
 
-// Of a machine that tilts: what the balls of each plane can cancel.
+// Of a tilting machine: what the balls of each plane can cancel.
 std::string planes_words(const Explanation& e) {
   std::string line;
   for (const ExplainedPlane& plane : e.tilt->planes) {

@@ -151,7 +151,7 @@ class Warnings {
       say("the unbalance is within 10 % of the least that these balls can balance");
   }
 
-  // Of a rotor that tilts each plane has its share; balls in planes without one cannot cancel static and couple.
+  // Of a tilting rotor each plane has its share; balls in planes without one cannot cancel static and couple.
   void planes(const TiltExplanation& t) {
     if (p_.balls == 0) return;
     if (t.planes.empty() && e_.balanced.kind == model::BalancedStates::Kind::none)

@@ -143,7 +143,7 @@ class Form {
     }
   }
 
-  // A default that may be written beside all other keys: not a second way to state what another key states.
+  // A default that may be written next to all other keys: not a second way to state what another key states.
   bool may_be_written(const std::string& key, const StudyValue& value) const {
     return !given_.find_path(key) && !refusal(key, study::value_text(value));
   }

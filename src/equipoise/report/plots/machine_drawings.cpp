@@ -113,7 +113,7 @@ std::string shares_svg(const MachinePage& page) {
     svg.text({right, top - 4.0}, share_text(line.share), SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
     svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.id)});
-    // The whisker must stand out both on its bar and beside it.
+    // The whisker must stand out both on its bar and next to it.
     const double low = place(line.share.low), high = place(line.share.high);
     for (const SvgPen& pen : {SvgPen{"var(--paper)", "", 4.0}, SvgPen{ink, "", 1.6}}) {
       svg.line({low, middle}, {high, middle}, pen);

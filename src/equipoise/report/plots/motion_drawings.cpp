@@ -45,7 +45,7 @@ double race_radius(const std::vector<double>& planes, std::size_t k) {
   constexpr double inmost = 0.4;
   return race * (1.0 - (1.0 - inmost) * static_cast<double>(k) / static_cast<double>(planes.size()));
 }
-// The farthest to the front is the outermost.
+// The furthest to the front is the outermost.
 double race_of_ball(const model::Parameters& p, std::size_t ball) {
   const std::vector<double> planes = model::planes_of(p);
   return race_radius(

@@ -20,8 +20,8 @@ namespace equipoise {
 /// Bars by outcome, with their intervals.
 std::string shares_svg(const MachinePage& page);
 
-/// The balls in their race, in the rotating frame; beside it the path of the rotor's centre in fixed axes, to one scale
-/// for all motions of the page.
+/// The balls in their race, in the rotating frame; next to it the path of the rotor's centre in fixed axes, to one
+/// scale for all motions of the page.
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion);
 
 /// Stacked bars by outcome, with the limit if the study has one.
@@ -64,7 +64,7 @@ std::string sweep_plot(const SweepResult& result, const std::string& title);
 std::optional<Plot> peak_plot(const SweepResult& result);
 
 /// Outcomes by colour, the darker, the later they were decided, listed below with their shares; lines where balance
-/// ends (dashed) or changes stability. Of a large slice some rows and columns are left out, which the caption says.
+/// ends (dashed) or changes stability. For a large slice some rows and columns are left out, which the caption says.
 DrawingRow map_drawing(const BasinSlice& map);
 
 /// The same as a picture file (SVG); `title` goes before the parameters.
@@ -84,7 +84,7 @@ std::string capacity_title(const CapacityResult& result);
 /// The plots of a design; those without data are left out.
 /// The front: every further objective against the first.
 std::vector<Plot> front_plots(const DesignResult& result);
-/// The chosen spin-up beside the study's own.
+/// The chosen spin-up next to the study's own.
 std::vector<Plot> spin_up_plots(const DesignResult& result);
 /// The first objective as each of the most influential numbers is changed.
 std::vector<Plot> margin_plots(const DesignResult& result, std::size_t most);

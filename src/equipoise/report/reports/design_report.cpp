@@ -104,7 +104,7 @@ DocumentTable front_table(const DesignResult& r) {
   return table;
 }
 
-// The chosen design beside the study as it is.
+// The chosen design next to the study as it is.
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
@@ -164,10 +164,10 @@ std::string range_words(const DesignVariable& v) {
   }
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
   if (!v.spin_up) return fmt::format("{:.4g} to {:.4g}{}", v.low, v.high, unit);
-  const std::string slope =
-      v.spin_up->slope ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
-                                     v.spin_up->time_unit.empty() ? "unit of time" : v.spin_up->time_unit)
-                       : "";
+  const std::string slope = v.spin_up->slope
+                                ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
+                                              v.spin_up->time_unit.empty() ? "unit of time" : v.spin_up->time_unit)
+                                : "";
   return fmt::format("{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}", v.spin_up->points,
                      plural(v.spin_up->points), v.low, v.high, unit, v.spin_up->until,
                      v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);

@@ -20,7 +20,7 @@
 
 namespace equipoise {
 
-/// Verdict, shares in percent, the rotor without balls beside that with them. `tried`: changes for the verdict to tell
+/// Verdict, shares in percent, the rotor without balls next to that with them. `tried`: changes for the verdict to tell
 /// of.
 std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style,
                        std::span<const TriedChange> tried = {});
@@ -55,7 +55,7 @@ std::string comparison_text(const ComparisonResult& result, const TextStyle& sty
 std::string comparison_json(const ComparisonResult& result);
 std::string verdict(const ComparisonResult& result);
 
-/// The front, the chosen design beside the original study, its margins, what limits it. JSON: figures are in the units
+/// The front, the chosen design next to the original study, its margins, what limits it. JSON: figures are in the units
 /// of "units", shares are fractions of one, infinite values are null. CSV: one line per member of the front.
 Document document_of(const DesignResult& result);
 std::string design_json(const DesignResult& result);

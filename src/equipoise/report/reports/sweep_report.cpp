@@ -27,7 +27,7 @@ namespace equipoise {
 namespace {
 
 // Number of attractors with their own column in a terminal's table.
-constexpr std::size_t most_columns = 4;  // beside balanced
+constexpr std::size_t most_columns = 4;  // next to balanced
 
 struct SweepColumn {
   int id = 0;

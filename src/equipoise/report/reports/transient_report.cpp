@@ -176,7 +176,7 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   return json;
 }
 
-// Of a rotor that tilts: where along its shaft figures are told, and in which planes its unbalance.
+// Of a tilting rotor: where along its shaft figures are told, and in which planes its unbalance.
 std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =

@@ -20,10 +20,10 @@ void add_transients(Document& document, const TransientResult& result, const Stu
 /// unless is_graded() (results/commands/left_grade.hpp), and if a driven rotor's speed was never measured.
 std::optional<double> left_grade(const TransientGroup& group, const Study& study);
 
-/// Whether the result tells of the rotor without balls beside that with them.
+/// Whether the result tells of the rotor without balls next to that with them.
 bool tells_without_balls(const BasinResult& result);
-/// A row a figure: without balls and with balls held if tells_without_balls(), with balls, and limits. Of a result with
-/// transients.
+/// A row a figure: without balls and with balls held if tells_without_balls(), with balls, and limits. For a result
+/// with transients.
 DocumentTable way_table(const BasinResult& result);
 /// The same of a rotor that has no balls at all.
 DocumentTable bare_table(const BasinResult& result);

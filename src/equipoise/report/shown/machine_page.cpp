@@ -42,7 +42,7 @@ std::vector<double> reach_of(const MotionPath& path) {
   return reach;
 }
 
-// The path of the centre; of a rotor that tilts, of the outermost of its bearings that moves more.
+// The path of the centre; of a tilting rotor, of the outermost of its bearings that moves more.
 template <class PathAt>
 void draw_shaft(DrawnMotion& drawn, const std::vector<double>& bearings, PathAt&& path_at) {
   if (bearings.empty()) {

@@ -28,7 +28,7 @@ class PathWriter {
     path_.phi.resize(static_cast<std::size_t>(p.balls));
   }
 
-  // `tilt`: the slopes of a rotor that tilts.
+  // `tilt`: the slopes of a tilting rotor.
   void add(double psi, double x, double y, const std::array<double, 2>& tilt) {
     const double c = std::cos(psi), s = std::sin(psi);
     const auto fixed = model::in_fixed_axes(c, s, x + place_ * tilt[0] - rest_ * s, y + place_ * tilt[1] - rest_ * c);
@@ -90,7 +90,7 @@ void take_until(double to, StateAt& state_at, PathTaker& taker) {
   }
 }
 
-// Of a rotor that tilts, whose balls meet no event.
+// Of a tilting rotor, whose balls meet no event.
 void follow_tilting(const model::System& system, const Motion& motion, double duration, PathTaker& taker,
                     const StopFlag* stop) {
   constexpr std::size_t size = kernels::TiltSource::dimension;

@@ -14,7 +14,7 @@ double turn_time(double speed);
 double whole_way(const Motion& motion);
 
 /// `count` + 1 states over `duration` > 0 from motion.state on; fewer if the integration fails or is stopped. `place`:
-/// along the shaft of a rotor that tilts, whose path is wanted.
+/// along the shaft of a tilting rotor, whose path is wanted.
 MotionPath motion_path(const model::System& system, const Motion& motion, double duration, int count,
                        const RunOptions& options = {}, double place = 0.0);
 

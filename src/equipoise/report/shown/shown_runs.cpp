@@ -95,7 +95,7 @@ Trajectory followed(Study study, double until, double step, const StopFlag* stop
   RunOptions options;
   options.stop = stop;
   Trajectory run = simulate(study, times, options);
-  // Of a rotor that tilts, displacements are those at its bearings.
+  // Of a tilting rotor, displacements are those at its bearings.
   if (!run.bearing_radial.empty()) run.radial = run.bearing_radial.front();
   for (const std::vector<double>& radial : run.bearing_radial)
     for (std::size_t k = 0; k < run.radial.size(); ++k) run.radial[k] = std::max(run.radial[k], radial[k]);

@@ -42,7 +42,7 @@ struct CellDataset : Dataset {
 
   CellDataset(const std::string& title, const std::vector<SweepAxis>& axes, const CellRecords& records);
 
-  /// One value a cell, or as many as the dimension at `along` has places, which follows those of the axes.
+  /// One value per cell, or as many as the dimension at `along` has places, which follows those of the axes.
   void by_cell(const std::string& name, const std::string& units, const std::string& meaning, const CellValues& values,
                const std::vector<std::size_t>& along = {});
   /// To be called last: the records, and what such files say of themselves.

@@ -19,12 +19,12 @@ struct CellFileKind {
 };
 
 /// A store of records, one or more per cell. The finished results also hold each cell's record (cell_dataset.hpp),
-/// besides what others read.
+/// in addition to what others read.
 class CellFile : public Store {
  public:
   using Take = std::function<void(std::size_t cell, const std::vector<std::uint8_t>& record)>;
 
-  /// Opens existing parts of the same results, or begins anew. `take` receives every record found, those of the
+  /// Opens existing parts of the same results, or begins again. `take` receives every record found, those of the
   /// finished file first. Throws like Store.
   CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
            const Take& take);

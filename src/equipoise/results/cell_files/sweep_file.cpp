@@ -162,7 +162,7 @@ class SweepColumns {
                 [k](const TransientGroup& all) { return all.within[k]; });
   }
 
-  // A share of all starts, empty where it is not asked for, with its interval.
+  // A share of all starts, empty where it is not requested, with its interval.
   template <class Of>
   void of_starts(const std::string& name, const std::string& words, const Of& of) {
     const auto part = [&](const std::string& suffix, const std::string& meaning, double Share::*member) {

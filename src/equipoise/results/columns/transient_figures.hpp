@@ -22,7 +22,7 @@ struct TransientRow {
   float rms_force = 0.0f, rms_velocity = 0.0f;
   float peak_dynamic_force = 0.0f, rms_dynamic_force = 0.0f;  ///< without the force at rest under the weight
   float rms_velocity_one_direction = 0.0f;                    ///< in X or Y, whichever has more
-  /// |lambda + sum mu_i e^{i phi_i}|. Of a rotor that tilts that of the worse of its outermost bearings' planes, over
+  /// |lambda + sum mu_i e^{i phi_i}|. For a tilting rotor that of the worse of its outermost bearings' planes, over
   /// its share of what the rotor may have.
   float residual_unbalance = 0.0f;
   /// 0 without a limit; infinite: the motion at the end exceeds it, or r still did when the start was last followed.

@@ -55,8 +55,8 @@ struct BasinResult : OtherShares, RunInfo {
   /// With `every_start`: for each motion that the search before the first start had missed, the state in which a start
   /// first met it, as a file keeps it (with uncertain values: the start's number).
   std::vector<std::vector<double>> discoveries;
-  std::optional<SensitivityResult> sensitivity;  ///< if it was asked for
-  double half_width = 0.0;                       ///< the one asked for; 0: none
+  std::optional<SensitivityResult> sensitivity;  ///< if it was requested
+  double half_width = 0.0;                       ///< the one requested; 0: none
   std::optional<SamplingChoice> choice;          ///< if the method was left open
   std::optional<JitteredGrid> grid;              ///< for that method
   bool balanced_stable = false;                  ///< a linearly stable balanced state exists at the final speed

@@ -61,7 +61,7 @@ struct OpenCapacity {
 
 struct CapacityResult : RunInfo {
   Study study;
-  std::string key, unit;  ///< the key asked for, and the unit of its values
+  std::string key, unit;  ///< the key requested, and the unit of its values
   double from = 0.0, to = 0.0, precision = 0.0;
   double at_least = 0.95;
   std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name

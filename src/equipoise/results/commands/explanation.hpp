@@ -58,7 +58,7 @@ struct BalancedMotion {
   }
   /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than 1 % of its own change.
   int more_drag() const { return drag_sensitivity > 0.01 ? 1 : drag_sensitivity < -0.01 ? -1 : 0; }
-  std::optional<double> slowest_if_sliding;  ///< for balls that roll: slowest_rate if they slid
+  std::optional<double> slowest_if_sliding;  ///< for rolling balls: slowest_rate if they slid
 };
 
 /// Forced vibration of the rotor alone, per direction (x, y): amplitudes.
@@ -73,12 +73,12 @@ struct ExplainedPlane {
   std::string why_not;  ///< empty: they can
 };
 
-/// Of a rotor that tilts.
+/// Of a tilting rotor.
 struct TiltExplanation {
   model::WhirlSpeeds alone, with_balls;
   double couple = 0.0;                 ///< couple unbalance, in M R^2
   std::vector<ExplainedPlane> planes;  ///< of balls in one plane or two that can cancel a couple
-  /// Forced vibration of the rotor alone at the final speed: farthest from the axis at each bearing that is stated.
+  /// Forced vibration of the rotor alone at the final speed: furthest from the axis at each bearing that is stated.
   std::vector<double> at_bearings;
   std::vector<double> forces;  ///< then, the largest force at each bearing, if each is known; else empty
 };
@@ -106,7 +106,7 @@ struct RunUp {
 struct Explanation {
   Study study;
   std::vector<ExplainedQuantity> quantities;
-  /// By direction (x, y). Of a rotor that tilts: the lowest and the highest that unbalance excites.
+  /// By direction (x, y). For a tilting rotor: the lowest and the highest that unbalance excites.
   std::array<double, 2> critical_alone{}, critical_with_balls{};
   std::optional<double> speed;     ///< final; empty: the motor holds none
   std::string speed_words;         ///< for a motor: why it has this speed; without `speed`, why there is none

@@ -52,7 +52,7 @@ struct DrawnMotion : OutcomeShare {
   double speed = 0.0;      ///< of the rotor, mean
   bool continuum = false;  ///< one member of a continuum
   bool one_start = false;  ///< the end of one start's run, because the motion itself is not known
-  /// Of a rotor that tilts, with bearings: along the shaft the outermost one that moves more, whose path and distances
+  /// Of a tilting rotor, with bearings: along the shaft the outermost one that moves more, whose path and distances
   /// these are.
   std::optional<double> bearing{};
 };

@@ -15,7 +15,7 @@ namespace equipoise {
 /// The meaning of `alias` in files.
 inline constexpr char name_by_wright_and_peng[] = "name that Wright and Peng (2019) give it";
 
-/// Starts that came to one attractor, or to one outcome without attractor.
+/// Starts that ended in one attractor, or to one outcome without attractor.
 struct OutcomeShare {
   int id = 0;                   ///< the attractor's identifier, or a code of no_attractors
   std::string name{}, alias{};  ///< alias: V1 to V4 of Wright and Peng (2019)
@@ -41,7 +41,7 @@ std::string legend_of(const Named& o) {
   return o.alias.empty() ? o.name : o.alias + ": " + o.name;
 }
 
-/// Shares of the starts that came to no attractor.
+/// Shares of the starts that ended in no attractor.
 struct OtherShares {
   Share undecided, diverged, failed;
   std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()

@@ -25,8 +25,8 @@ struct StartArrays {
   std::vector<double> decision_time;    ///< study time at which the outcome was known
   std::vector<signed char> decided_by;  ///< a DecidedBy
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
-  std::vector<float> left_unbalance;    ///< of balls that stick; not-a-number where dry friction holds none
-  std::vector<signed char> balls_met;   ///< of balls that touch: 1 where they did before the outcome was known
+  std::vector<float> left_unbalance;    ///< of sticking balls; not-a-number where dry friction holds none
+  std::vector<signed char> balls_met;   ///< of touching balls: 1 where they did before the outcome was known
   /// If they were gathered: one array a column of transient_figures. Infinite (a file says: missing) where a time goes
   /// on, not-a-number for starts that were lost.
   std::array<std::vector<float>, transient_figures.size()> transients;

@@ -65,7 +65,7 @@ struct SweepCell : OtherShares {
   std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if gathered
   bool balanced_stable = false;
   std::string note;
-  WarmStartLevels warm_start_levels;  ///< for the next cell's search, besides the motions
+  WarmStartLevels warm_start_levels;  ///< for the next cell's search, in addition to the motions
 };
 
 /// By index; consecutive cells follow the last axis; null: not done. Pointers: most cells of a large sweep are null.
@@ -76,7 +76,7 @@ struct SweepResult : RunInfo {
   std::vector<SweepAxis> axes;
   std::string identity;  ///< everything that determines the cells, as text
   SweepCells cells;
-  double half_width = 0.0;  ///< asked for; 0: none
+  double half_width = 0.0;  ///< requested; 0: none
   bool transients = false;
   std::uint64_t resumed_cells = 0;  ///< read from an earlier run's file
 

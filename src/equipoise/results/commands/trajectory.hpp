@@ -14,7 +14,7 @@ namespace equipoise {
 struct Trajectory {
   IntegrationStatus status = IntegrationStatus::done;  ///< if not `done`, later times are missing from every array
   bool stopped = false;                                ///< ended early by the stop flag
-  bool tilts = false;                                  ///< of a rotor that tilts
+  bool tilts = false;                                  ///< of a tilting rotor
   std::vector<double> t;
   std::vector<double> psi, psi_dot;        ///< rotor angle and rate
   std::vector<double> x, y, x_dot, y_dot;  ///< centre O and its derivatives in the rotating frame
@@ -30,7 +30,7 @@ struct Trajectory {
   std::vector<std::vector<double>> bearing_force;
 };
 
-/// One array of them, or one a ball, or one a bearing. Those of a tilt are left out if the rotor does not tilt, and
+/// One array of them, or one per ball, or one per bearing. Those of a tilt are left out if the rotor does not tilt, and
 /// those of bearings if the study states none, or not each one's springs.
 struct TrajectoryColumn : Column {
   enum class Of { rotor, tilt, ball, bearing };

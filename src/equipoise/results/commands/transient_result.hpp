@@ -41,7 +41,7 @@ struct TransientGroup {
   /// For a figure that may have no end: starts that lack one for good.
   std::uint64_t for_good(const TransientFigure& f) const { return f.needs == &Limits::settled ? never : lasting; }
   const SampleSummary& figure(float TransientRow::*value) const { return figures[figure_place(value)]; }
-  /// Whether column `k` has figures; it has none if it was not asked for.
+  /// Whether column `k` has figures; it has none if it was not requested.
   bool tells(std::size_t k) const { return starts == 0 || figures[k].count > 0; }
 };
 

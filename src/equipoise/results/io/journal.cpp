@@ -82,7 +82,7 @@ Journal::~Journal() {
   if (!only_reads_ && file_.is_open() && records_.empty() && !damaged) (void)remove_file(path_);
 }
 
-// The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened anew.
+// The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened again.
 void Journal::open_locked(const std::string& output) {
   for (;;) {
     if (const int error = file_.open(path_, DiskFile::Open::update))
@@ -252,7 +252,7 @@ void Journal::keep_only(Kind kind) {
   try {
     for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
     sync();
-  } catch (const RunError&) {  // a full disk: nobody had asked for what is lost
+  } catch (const RunError&) {  // a full disk: nobody had requested what is lost
     remove();
   }
 }

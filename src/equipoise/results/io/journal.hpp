@@ -1,4 +1,4 @@
-// An append-only file of results beside the output; every prefix of it can be read.
+// An append-only file of results next to the output; every prefix of it can be read.
 #pragma once
 
 #include <chrono>

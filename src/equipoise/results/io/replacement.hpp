@@ -18,7 +18,7 @@ std::string error_text(int error);
 /// Brings a file, or a folder's list of files, to disk. Returns the system's error, 0 for none.
 int to_disk(const std::string& path);
 
-/// A new file beside `path` that atomically replaces it on disk once complete. Readers see the old or the new content,
+/// A new file next to `path` that atomically replaces it on disk once complete. Readers see the old or the new content,
 /// even after a crash or on a full disk. A path that is no regular file (a terminal, a pipe) is written directly.
 class Replacement {
  public:

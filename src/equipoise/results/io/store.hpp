@@ -22,7 +22,7 @@ class Store {
   struct Words {
     std::string results, allowed;
   };
-  /// Opens what both files hold of these results, or begins anew. Throws InputError if they cannot be written, are in
+  /// Opens what both files hold of these results, or begins again. Throws InputError if they cannot be written, are in
   /// use, are damaged, or hold something else, and says which.
   Store(const std::string& path, const std::string& identity, const Words& words);
   /// Only reads `path`: finished results or a journal (.part), whatever their identity.
@@ -39,7 +39,7 @@ class Store {
   /// The search log of earlier runs that did not finish.
   SearchLog& notes() { return notes_; }
 
-  /// What stays of the journal beside finished results.
+  /// What stays of the journal next to finished results.
   enum class Rest {
     nothing,  ///< they are complete
     notes,    ///< they hold every record

@@ -55,16 +55,16 @@ struct BasinEnd {
 
 /// The starts of an ensemble, as a store (results/io/store.hpp). In the finished results dimension start has its index
 /// and the variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); for driven rotors
-/// mean_speed(start), with balls that stick left_unbalance(start), with balls that touch balls_met(start), with
+/// mean_speed(start), with sticking balls left_unbalance(start), with touching balls balls_met(start), with
 /// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with own_starts psi(start), on a grid
 /// weight(start), with uncertain values drawn(start, uncertain_value), with transients the columns of TransientRow.
 /// Dimension outcome_kind has code, name, alias, count, share and its interval; except for random starts also the
-/// origin of the interval and the equivalent number of random starts; with balls that stick quantiles of what they
+/// origin of the interval and the equivalent number of random starts; with sticking balls quantiles of what they
 /// leave. Dimension discovery has states of motions met during the run. Every variable has units and long_name.
 /// Readable by xarray, ncdump, ncview.
 class BasinFile : public io::RowStore {
  public:
-  /// Opens what there is of the same study, seed, version and arithmetic, or begins anew. Throws like Store.
+  /// Opens what there is of the same study, seed, version and arithmetic, or begins again. Throws like Store.
   BasinFile(const std::string& path, const BasinFileHeader& header);
 
   /// Starts already stored (0 .. stored() - 1).
@@ -87,7 +87,7 @@ class BasinFile : public io::RowStore {
   /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
   /// ones.
   void append(const StartArrays& starts, const RunTime& so_far);
-  /// Removes the search log: everything asked for is in `path`.
+  /// Removes the search log: everything requested is in `path`.
   void forget_notes();
   /// Writes the results, with earlier runs' time added; nothing if nothing is stored. Call it last. Throws like Store.
   void finish(const BasinEnd& end);

@@ -10,7 +10,7 @@ namespace equipoise {
 
 /// Outcomes of a start.
 enum class Outcome : signed char {
-  attracted = 0,  ///< came to an attractor; Fate::attractor says which
+  attracted = 0,  ///< ended in an attractor; Fate::attractor says which
   undecided = 1,  ///< came to none by the horizon
   diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
   failed = 3,     ///< the integrator's step size vanished
@@ -22,7 +22,7 @@ enum class DecidedBy : signed char {
   nothing = 0,
   proof = 1,      ///< inside a level set proved to lead to the attractor only
   validated = 2,  ///< inside a level set from the edge of one of twice the level every one of a thousand tried states
-                  ///< or more came to the attractor
+                  ///< or more ended in the attractor
   windows = 3,    ///< features of successive windows of time
   horizon = 4,    ///< there at the horizon
   followed = 5,   ///< stationary by its windows in a way that the rule did not know; then followed to its motion
@@ -37,7 +37,7 @@ inline constexpr int balanced_id = 1;
 /// What stands for those that no attractor's identifier stands for, in files and arrays.
 inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
-/// An outcome of starts that come to no attractor.
+/// An outcome of starts that end in no attractor.
 struct NoAttractor {
   Outcome outcome;
   short code;        ///< in files and arrays, where an attractor has its identifier

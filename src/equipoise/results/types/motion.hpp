@@ -71,8 +71,8 @@ struct Motion {
   model::BallMode mode;           ///< which balls touch and which stick, at `state`
   std::vector<BallEvent> events;  ///< in one period; of motions that do not come back, the last hundred
   bool eventful = false;          ///< balls touch or stick somewhere on it; else it is one of the system without events
-  bool stuck = false;  ///< stiction holds all balls for good, with what unbalance is left (stuck.hpp)
-  /// It belongs to a continuum that dry friction makes: balls that stick may do so a little farther on.
+  bool stuck = false;             ///< stiction holds all balls for good, with what unbalance is left (stuck.hpp)
+  /// It belongs to a continuum that dry friction makes: sticking balls may do so a little further on.
   bool set_valued = false;
 
   // What the balls do, by topology.

@@ -16,10 +16,10 @@ namespace equipoise {
 /// How the drive's work is computed: of a prescribed speed by an energy balance; of a motor from torque and speed.
 enum class WorkSource { none, balance, motor };
 
-/// Where a rotor that tilts is watched. What is told is of the worse place.
+/// Where a tilting rotor is watched. What is told is of the worse place.
 struct WatchedShaft {
-  /// The outermost of its bearings along the shaft, 0 without bearings. Of a straight shaft's places between two, none
-  /// moves farther or faster than both.
+  /// The outermost of its bearings along the shaft, 0 without bearings. For a straight shaft's places between two, none
+  /// moves further or faster than both.
   std::array<double, 2> places{};
   /// The bearings if they are all its supports and forces are told of each, those at `places` first, at most
   /// model::most_bearings; empty: of all supports together.
@@ -32,18 +32,18 @@ struct TransientSettings {
   double displacement = std::numeric_limits<double>::infinity();
   /// Radial displacement below which a rotor has settled; 0: settling is not watched.
   double settled = 0.0;
-  double release = 0.0;  ///< study time at which the balls are let go
+  double release = 0.0;  ///< study time at which the balls are released
   /// Length of time windows once the outcome is known: many turns of the rotor, several slow turns of balls about it.
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
-  WatchedShaft shaft{};                ///< of a rotor that tilts
+  WatchedShaft shaft{};                ///< of a tilting rotor
   /// Supports differ or weight acts: velocities in X and Y and forces without the weight are gathered by themselves.
   bool by_direction = true;
 
   bool watches_settling() const { return settled > 0.0; }
 };
 
-/// The unbalance of rotor and balls in the rotating frame, x and y; of a rotor that tilts those of two planes
+/// The unbalance of rotor and balls in the rotating frame, x and y; of a tilting rotor those of two planes
 /// (model::PlaneUnbalance). What turns with the rotor is its mean: balls that hang or circulate add nothing.
 using TurningUnbalance = std::array<double, 4>;
 /// Its size; of two planes the larger.

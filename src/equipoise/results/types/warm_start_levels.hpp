@@ -13,7 +13,7 @@ enum class SearchMode {
   /// that it misses is listed once a start comes to it, as always.
   warm,
   /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
-  /// balance gets trapping regions, and windows decide the rest. Of starts that come to another motion one is followed
+  /// balance gets trapping regions, and windows decide the rest. Of starts that end in another motion one is followed
   /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided. With events none
   /// is followed: its windows show its motion (MotionKind::measured).
   few

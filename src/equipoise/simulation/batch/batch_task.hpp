@@ -36,7 +36,7 @@ struct RadiusWindows {
   std::size_t windows = 0;  ///< per trajectory; later ones are not recorded
   float* largest = nullptr;
   float* at_end = nullptr;
-  /// Of a rotor that tilts: where its slopes stand in the state, and the places along its shaft of which the farther
+  /// Of a tilting rotor: where its slopes stand in the state, and the places along its shaft of which the further
   /// one counts.
   int tilt = -1;
   std::array<double, 2> places{};
@@ -45,7 +45,7 @@ struct RadiusWindows {
 /// Which equations a task needs. Plain and turning: a prescribed speed and a centred race; turning adds anisotropic
 /// supports, gravity and rolling balls. Smooth: any smooth system. Hybrid: any with contact or dry friction, smooth
 /// between events.
-/// Tilting: any rotor that tilts.
+/// Tilting: any tilting rotor.
 enum class BatchKind { plain, turning, smooth, hybrid, tilting };
 
 /// Trajectories from segment.begin to `end`. Each result depends neither on its place nor on its neighbours.

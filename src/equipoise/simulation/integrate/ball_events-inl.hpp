@@ -288,7 +288,7 @@ class BallEvents {
     }
   }
 
-  // Calls f with every row of held balls that touch, the rearmost ball first.
+  // Calls f with every row of held touching balls, the rearmost ball first.
   template <class F>
   void each_row(F&& f) const {
     const auto linked = [&](int k) { return pairs_ > 0 && mode_.joined[k] && mode_.held[mode_.order[k]]; };

@@ -1,4 +1,4 @@
-// One trajectory of a machine from event to event: pieces of the drive, release, balls that touch, stick or slide. All
+// One trajectory of a machine from event to event: pieces of the drive, release, touching balls, stick or slide. All
 // events are located in time, so that every step of the integrator is smooth. Included once per CPU target.
 #if defined(EQUIPOISE_INTEGRATE_EVENT_TRAJECTORY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_INTEGRATE_EVENT_TRAJECTORY_INL

@@ -221,7 +221,7 @@ bool run_job(const BatchJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time. Unrolling it for five and six balls too makes evaluations 22 and 9 % cheaper.
   constexpr int most = seldom_run || kind >= BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
-  // Two planes of two balls, which most rotors that tilt have, unrolled: a sixth faster.
+  // Two planes of two balls, which most tilting rotors have, unrolled: a sixth faster.
   if constexpr (kind == BatchKind::tilting && !seldom_run)
     if (balls == 4) return job.rule ? classify_balls<4, kind>(job) : advance_balls<4, kind>(job);
   if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return classify_balls<room, kind>(job); });

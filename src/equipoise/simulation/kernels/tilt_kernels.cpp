@@ -1,3 +1,3 @@
-// Kernels for rotors that tilt.
+// Kernels for tilting rotors.
 #define EQUIPOISE_KIND tilting
 #include "equipoise/simulation/kernels/kind_kernels.inc"

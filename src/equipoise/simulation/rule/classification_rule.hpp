@@ -125,7 +125,7 @@ inline constexpr double runaway_speed = 1e4;
 
 /// The most isolated balanced states: one ball has one, two balls have two, more have a continuum.
 inline constexpr std::size_t most_balanced = 2;
-/// Of a rotor that tilts; two planes of two balls have four, other planes may have more.
+/// Of a tilting rotor; two planes of two balls have four, other planes may have more.
 inline constexpr std::size_t most_balanced_of_tilt = 4;
 
 struct ClassificationRule {
@@ -155,7 +155,7 @@ struct ClassificationRule {
 };
 
 /// What the pilot keeps of a trajectory: features of its last long window, the range of that window's short ones, the
-/// longest run of windows inside each box, and how near it came to balance.
+/// longest run of windows inside each box, and how near it became balanced.
 struct PilotRecord {
   Features features{};
   FeatureBox range;

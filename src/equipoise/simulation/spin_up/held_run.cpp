@@ -27,7 +27,7 @@ namespace equipoise {
 
 namespace {
 
-// One body; of a rotor that tilts all balls, held, laid out as model::machine_layout().
+// One body; of a tilting rotor all balls, held, laid out as model::machine_layout().
 template <bool tilt>
 using OneBody = std::conditional_t<tilt, HWY_NAMESPACE::HybridFlow<double, model::any_count, true>,
                                    HWY_NAMESPACE::HeldFlow<double>>;
@@ -179,7 +179,7 @@ class HeldFollower {
     begin();
   }
 
-  // To `to` within the piece; balls that would be let go on the way are told from then on.
+  // To `to` within the piece; balls that would be released on the way are told from then on.
   void advance(double to) {
     if (!free_ && drive_.release_time > t_ && drive_.release_time < to) integrate(drive_.release_time);
     while (going() && t_ < to) {
@@ -329,7 +329,7 @@ class HeldFollower {
   std::array<double, Body::dimension> y_{};
   const bool fixed_axes_;
   const double sag_;
-  HWY_NAMESPACE::ModeTable<double, model::any_count> modes_;  // of a rotor that tilts
+  HWY_NAMESPACE::ModeTable<double, model::any_count> modes_;  // of a tilting rotor
   TurningUnbalance turning_{};
   double unbalance_ = 0.0, size_ = 1.0;
   TransientWatch watch_;

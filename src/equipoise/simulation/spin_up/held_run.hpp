@@ -18,7 +18,7 @@ struct HeldRun {
   double speed = 0.0;                ///< mean psi' in the end
   bool steady = false;               ///< that motion goes on as it is; else what was last seen
   bool lost = false;                 ///< diverged, or the integrator failed
-  /// Study time at which the balls would be let go; infinite: never.
+  /// Study time at which the balls would be released; infinite: never.
   double released = std::numeric_limits<double>::infinity();
 };
 

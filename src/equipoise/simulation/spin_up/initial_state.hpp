@@ -18,7 +18,7 @@
 
 namespace equipoise {
 
-/// Writes dimension(balls) numbers: the state of `s` at rotor speed `speed` (psi' at t = 0). Of a rotor that tilts also
+/// Writes dimension(balls) numbers: the state of `s` at rotor speed `speed` (psi' at t = 0). For a tilting rotor also
 /// the four variables of the tilt, which begin at `tilt`.
 inline void initial_state(const InitialState& s, int balls, double speed, double* z, int tilt = -1) {
   z[model::index::x] = s.x;

@@ -85,7 +85,7 @@ class PrescribedGroup {
     spun_.rotors[p.place].end = p.settled() + *p.own->study.numerics.horizon;
   }
 
-  // One rotor at a time: transients of held balls come from superposition, and held balls load a rotor that tilts by a
+  // One rotor at a time: transients of held balls come from superposition, and held balls load a tilting rotor by a
   // couple too.
   bool run_alone() {
     for (const Prescribed* p : group_) {

@@ -17,7 +17,7 @@
 
 namespace equipoise {
 
-/// Row-major, one row a start.
+/// Row-major, one row per start.
 struct SpunUp {
   std::vector<double> phi;       ///< initial ball angles
   std::vector<double> states;    ///< of the system (machine/model/system.hpp), at `begins`

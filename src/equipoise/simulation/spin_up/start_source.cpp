@@ -67,7 +67,7 @@ void StartSource::watch(const TransientSettings& settings) {
 
 namespace {
 
-// Watches a rotor that tilts through the segments that hold its balls.
+// Watches a tilting rotor through the segments that hold its balls.
 class TiltingWatch {
  public:
   TiltingWatch(const model::Parameters& p, const std::vector<model::Segment>& segments,
@@ -117,7 +117,7 @@ class TiltingWatch {
 
 }  // namespace
 
-// Clamped balls load a rotor that tilts by a couple too, so that each start is followed by itself.
+// Clamped balls load a tilting rotor by a couple too, so that each start is followed by itself.
 void StartSource::place_tilting(const InitialState& start, double* state, TransientSums* sums) const {
   using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
   const model::Parameters& p = study_.parameters;

@@ -53,7 +53,7 @@ class StartSource : public SpinUp {
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;
-  TransientSettings watched_;  // of a rotor that tilts, whose held starts are watched one by one
+  TransientSettings watched_;  // of a tilting rotor, whose held starts are watched one by one
   double tolerance_;
 };
 

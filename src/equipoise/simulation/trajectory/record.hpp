@@ -8,11 +8,11 @@
 namespace equipoise {
 
 /// Appends state `z` (dimension(balls) numbers) at time `t`, rotor angle `psi` and speed `w` to every array but those
-/// of bearings. `tilt`: the four variables of a rotor that tilts.
+/// of bearings. `tilt`: the four variables of a tilting rotor.
 void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z,
             const double* tilt = nullptr);
 
-/// Appends state `z` of a machine (model::machine_layout()) at time `t`, at the bearings of a rotor that tilts as well.
+/// Appends state `z` of a machine (model::machine_layout()) at time `t`, at the bearings of a tilting rotor as well.
 void record(Trajectory& out, const Study& study, double t, const double* z);
 
 }  // namespace equipoise

@@ -120,7 +120,7 @@ struct StudyEquations::State {
   std::vector<FlowOver<double, true>> tilting;
 
  private:
-  // Cuts the drive's pieces where the balls are let go.
+  // Cuts the drive's pieces where the balls are released.
   void cut() {
     const double release = drive.release_time;
     for (std::size_t k = 0; k < drive.pieces.size(); ++k) {

@@ -28,7 +28,7 @@ struct MotionState : InitialState {
 /// psi_dot if a motor drives the rotor, and speed_error_integral if the motor's control has one.
 ///
 /// Time is cut into pieces on which f is smooth. An integrator must end a step where a piece ends, pass the state
-/// through cross(), and begin anew. Functions without a piece number use the later piece at a breakpoint. f has one
+/// through cross(), and begin again. Functions without a piece number use the later piece at a breakpoint. f has one
 /// more corner where a motor's torque reaches its limit (speed.torque.limit).
 ///
 /// If a driven rotor's speed releases the balls, the pieces are those with the balls held. The zero of
@@ -55,13 +55,13 @@ class StudyEquations {
   std::size_t piece_at(double t) const;
   /// Ends of all pieces but the last, in order.
   std::vector<double> breakpoints() const;
-  /// When the balls are let go; 0: free from the start; infinite if a speed decides.
+  /// When the balls are released; 0: free from the start; infinite if a speed decides.
   double release_time() const;
   std::optional<double> release_speed() const;
   /// psi_dot beyond release_speed(), in the direction of approach. Its first zero from below releases the balls. Throws
   /// InputError if there is no such speed.
   double release_distance(const double* y) const;
-  /// The same study with the balls let go at `t`; only for a study that releases at a speed.
+  /// The same study with the balls released at `t`; only for a study that releases at a speed.
   StudyEquations released_at(double t) const;
 
   /// The state at t = 0, of [initial] or of another start. phi_dot is 0 for held balls.

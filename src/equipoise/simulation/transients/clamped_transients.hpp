@@ -66,7 +66,7 @@ class ClampedTransients {
   std::vector<double> times_, speeds_;
   Squares radius_, force_, dynamic_;             // the last without the force at rest, only under gravity
   ClampedBasis begin_;                           // where the first segment begins
-  std::vector<Losses> losses_;                   // one each segment, if work is asked for
+  std::vector<Losses> losses_;                   // one each segment, if work is requested
   double radius_peak_ = 0.0, force_peak_ = 0.0;  // for U = 1, if proportional_
   std::size_t radius_place_ = 0;                 // then: of the peak
 };

@@ -41,13 +41,13 @@ struct Limits {
   T displacement2, settled2, window;
 };
 
-// As many parts of TurningUnbalance as are watched: two, or four of a rotor that tilts.
+// As many parts of TurningUnbalance as are watched: two, or four of a tilting rotor.
 template <class T, int parts>
 struct Unbalances {
   T part[parts];
 };
 
-// What limits are asked of: r at the place watched, or what `beside` it is farther out.
+// What limits are required of: r at the place watched, or what `beside` it is further out.
 struct Alone {
   template <class Curve>
   HWY_INLINE const Curve& operator()(const Curve& r2) const {
@@ -89,7 +89,7 @@ class GatherTransients {
         work.begun ? work.piece - work.stored + 0.5 * (work.power + here.power) * (t - row.end) : -here.stored;
   }
 
-  // The motion goes on from here, at t, without a step that leads to it.
+  // The motion resumes from here, at t, without a step that leads to it.
   void stand(int lane, double t, const Sample<double>& here, const TurningUnbalance& unbalance) {
     if (here.r2 > element(peak_, lane)) {
       element(peak_time_, lane) = t;
@@ -128,7 +128,8 @@ class GatherTransients {
   void end_work(int lane) { known_work_[lane] = work_of(lane); }
 
   // Adds an accepted step of length h from `begin` to t, sampled `at` its two nodes and its end; `unbalance`: at its
-  // end. Returns the bits of the `active` lanes whose window it ends. Not `asked`: limits and work are asked elsewhere.
+  // end. Returns the bits of the `active` lanes whose window it ends. Not `asked`: limits and work are required
+  // elsewhere.
   template <bool asked = true, class Limited = Alone>
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
                           const Sample<T> (&at)[3], const Turning& unbalance, const Limited& limited = {}) {
@@ -311,7 +312,7 @@ class GatherTransients {
   int count_[lanes] = {};                         // since restart()
 };
 
-// The same for rotors that tilt, watched at several places, of which the worst one is told. Without lanes also for
+// The same for tilting rotors, watched at several places, of which the worst one is told. Without lanes also for
 // others. No place moves more than both of the first two, to which limits are held; the rest have forces of their own.
 template <class T>
 class GatherPlaces {

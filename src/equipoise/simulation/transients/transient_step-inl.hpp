@@ -49,7 +49,7 @@ struct Sample {
   T dynamic2, upright2;  // |f - f at rest|^2, the squared velocity along Y
   T power;               // its integral, with the change of `stored`, is the work of the drive
   T stored;              // read only at the ends of steps
-  T speed;               // psi', likewise
+  T speed;               // psi', also
 };
 
 // Without weight on supports alike in X and Y. The slope needs no derivative of the state: the frame's rotation drops

@@ -21,12 +21,12 @@ struct TransientSample {
   std::size_t count = 1;
 };
 
-/// With the balls at `phi`; `shaft`: of a rotor that tilts.
+/// With the balls at `phi`; `shaft`: of a tilting rotor.
 TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaft& shaft, const double* phi);
 
 /// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
-/// The same of a rotor that tilts. `tilt`: its four variables.
+/// The same of a tilting rotor. `tilt`: its four variables.
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt);
 
@@ -37,7 +37,7 @@ class TransientWatch {
 
   explicit TransientWatch(const TransientSettings& settings, const TransientSums& sums = {});
 
-  /// The motion goes on from here, at first and wherever u, v or the force jumps; `free`: balls have been released.
+  /// The motion resumes from here, at first and wherever u, v or the force jumps; `free`: balls have been released.
   void begin(const TransientSample& first, bool free = true);
   /// A step from the last sample.
   void step(const std::array<TransientSample, 3>& samples);

@@ -25,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// What a rotor that tilts has beside: where its sections are that are watched, and how it loads its supports.
+// What a tilting rotor has beside: where its sections are that are watched, and how it loads its supports.
 template <bool tilt>
 class WatchedTilt {
  public:

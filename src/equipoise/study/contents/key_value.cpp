@@ -190,7 +190,7 @@ bool may_state(const Study& study, const KeyTable& table, const Key& key) {
 
 }  // namespace
 
-// Balls that touch have room in the race.
+// Touching balls have room in the race.
 Range range_in(const Study& study, const Key& key) {
   Range range = key.range;
   if (key.name == std::string_view("contact_angle")) range.high /= study.parameters.balls;

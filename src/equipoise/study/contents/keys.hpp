@@ -93,7 +93,7 @@ inline constexpr unsigned all_variants = ~0xffu;
 std::vector<Key> all_keys();
 /// The lines by tables, in the order of the echo.
 const std::vector<KeyTable>& key_tables();
-/// Null if no table of a study has this dotted name. Of an array of tables each entry is one: "place.2".
+/// Null if no table of a study has this dotted name. For an array of tables each entry is one: "place.2".
 const KeyTable* find_keys(std::string_view table);
 inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
 

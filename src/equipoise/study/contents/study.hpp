@@ -97,7 +97,7 @@ struct SpeedSetting : RampSetting {
   bool driven() const { return profile == Profile::torque; }
 };
 
-/// [release]: when the balls are let go; at most one member is set.
+/// [release]: when the balls are released; at most one member is set.
 struct ReleaseSetting {
   std::optional<double> speed;  ///< when the ramp function first reaches this
   std::optional<double> time;
@@ -108,11 +108,11 @@ struct ReleaseSetting {
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};
-  double tilt_x = 0.0, tilt_y = 0.0, tilt_x_dot = 0.0, tilt_y_dot = 0.0;  ///< of a rotor that tilts
+  double tilt_x = 0.0, tilt_y = 0.0, tilt_x_dot = 0.0, tilt_y_dot = 0.0;  ///< of a tilting rotor
 };
 
-/// [sampling.box]: what starts draw besides the ball angles, uniformly between two bounds; absent quantities keep their
-/// value in [initial]. Rotating frame; phi_dot is drawn for each ball.
+/// [sampling.box]: what starts draw in addition to the ball angles, uniformly between two bounds; absent quantities
+/// keep their value in [initial]. Rotating frame; phi_dot is drawn for each ball.
 struct SamplingBox {
   struct Side {
     double low = 0.0, high = 0.0;
@@ -186,7 +186,7 @@ struct Limits {
 enum class SeverityClassName { i, ii, iii, iv };
 inline constexpr std::array<const char*, 4> severity_class_names{"I", "II", "III", "IV"};
 
-/// [standards]: what results are judged by beside the limits; only in a study with scales.
+/// [standards]: what results are judged by next to the limits; only in a study with scales.
 struct Standards {
   std::optional<SeverityClassName> severity_class;
   bool hand_held = false;               ///< hands hold what the rotor shakes
@@ -270,7 +270,7 @@ struct Study {
   Standards standards;
   SweepSetting sweep;
   std::optional<model::Scales> scales;  ///< of a study in physical units
-  /// Of a rotor that tilts: where along its shaft it has bearings, from its centre of mass and in R, as far as stated.
+  /// Of a tilting rotor: where along its shaft it has bearings, from its centre of mass and in R, as far as stated.
   std::vector<double> bearings;
   /// Stiffness and damping of each of them, alike in X and Y, or of each in X and Y in turn; empty: not stated.
   std::vector<double> bearings_stiffness, bearings_damping;
@@ -287,14 +287,14 @@ struct Study {
   bool states(std::string_view key) const { return stated && stated->contains(key); }
   BallDetails ball_details;
   /// In physical units: from the axis of the rotor's own unbalance to the resultant with every [[place]], to which x of
-  /// the model points. Of a rotor that tilts: from its angle 0 to the resultant couple unbalance. In radians.
+  /// the model points. For a tilting rotor: from its angle 0 to the resultant couple unbalance. In radians.
   double direction_of_x = 0.0;
   Uncertainty uncertain;  ///< what each start draws for itself; everything else here uses the medians
 
   /// The ramp function and law as the model sees them. For a driven rotor: the speed that its motor aims at, else the
   /// speed at t = 0, as a constant.
   model::SpeedProfile speed_profile() const;
-  /// Time >= 0 at which the balls are let go. Without [release]: 0 at constant speed and for a driven rotor, else the
+  /// Time >= 0 at which the balls are released. Without [release]: 0 at constant speed and for a driven rotor, else the
   /// end of the ramp (trapezoid: of the rise; points: the last time). A study in physical units without [release] is
   /// read with release.time = 0. Infinite for a driven rotor that releases at a speed. Throws InputError if the ramp
   /// function never reaches release.speed.

@@ -1,4 +1,4 @@
-// Units of values given beside a study.
+// Units of values given next to a study.
 #include "equipoise/study/echo/given_value.hpp"
 
 #include <algorithm>

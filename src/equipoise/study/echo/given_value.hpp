@@ -1,4 +1,4 @@
-// Values given beside a study, by options: dimensionless numbers, or quantities that the study's scales convert.
+// Values given next to a study, by options: dimensionless numbers, or quantities that the study's scales convert.
 #pragma once
 
 #include <optional>

@@ -90,7 +90,7 @@ class Rotor {
     }
   }
 
-  // Of a rotor that tilts: {k12, k22} and {c12, c22} of the supports, and of the bearings what does not follow from
+  // Of a tilting rotor: {k12, k22} and {c12, c22} of the supports, and of the bearings what does not follow from
   // them.
   void put_supports() {
     const Supports springs = sum_of(d_.bearings, &model::Bearing::stiffness),

@@ -58,7 +58,7 @@ void check_bearings(const Study& study, const Refuse& refuse) {
   if (!model::make_damping(each, study.parameters)) refuse(keys[1], fmt::format(not_the_supports, "damping"));
 }
 
-// Of balls and race a rotor that tilts takes the planes, and no more than the drag of balls that slide.
+// Of balls and race a tilting rotor takes the planes, and no more than the drag of sliding balls.
 void check_tilting_balls(const Study& study, const Refuse& refuse) {
   const model::Parameters& p = study.parameters;
   const auto none = [&](const char* key, bool set, const char* physical_key = nullptr) {

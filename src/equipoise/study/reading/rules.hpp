@@ -30,7 +30,7 @@ inline Refuse refuse_in(const Study& study) {
 
 /// All of them.
 void check_numbers(const Study& study, const Refuse& refuse);
-/// What the keys that a study states need: other keys, units, a rotor that tilts.
+/// What the keys that a study states need: other keys, units, a tilting rotor.
 void check_needs(const Study& study, const Refuse& refuse);
 
 /// What a draw of an uncertain value sets its key to, in SI units if the study is a machine in these. Refuses what the

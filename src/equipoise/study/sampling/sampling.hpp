@@ -29,8 +29,8 @@ class Sampler {
   /// Writes further numbers of start `index` for `count` quantities, uniform on [0, 1). Only quantities that are
   /// `drawn` use coordinates of a Sobol point.
   void fractions(std::uint64_t seed, std::uint64_t index, int count, const bool* drawn, double* fractions) const;
-  /// A number of start `index` for the value `name`, the `place`-th drawn besides ball angles and `wanted` fractions().
-  /// It is the next coordinate of the Sobol point while there is one, else independent of `place`.
+  /// A number of start `index` for the value `name`, the `place`-th drawn in addition to ball angles and `wanted`
+  /// fractions(). It is the next coordinate of the Sobol point while there is one, else independent of `place`.
   double named(std::uint64_t seed, std::uint64_t index, int wanted, int place, std::string_view name) const;
   /// How much start `index` counts: 1, except on a grid that uses exchange symmetry.
   double weight(std::uint64_t seed, std::uint64_t index) const;

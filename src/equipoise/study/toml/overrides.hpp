@@ -3,7 +3,7 @@
 
 namespace equipoise {
 
-/// Place in an InputError of a value given as "key=value" beside a study's text. A caller that knows the origin (an
+/// Place in an InputError of a value given as "key=value" next to a study's text. A caller that knows the origin (an
 /// option, a field of a form) may replace it.
 inline constexpr const char* overrides_name = "overridden value";
 

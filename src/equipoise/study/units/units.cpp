@@ -92,7 +92,7 @@ std::string wanted_text(const std::vector<Dimension>& wanted) {
 
 bool measures(const std::string& unit, Dimension wanted) {
   if (const auto known = table_unit(unit)) return factor(*known, unit, wanted) != 0.0;
-  return wanted == Dimension::temperature;  // the usual ones beside the table
+  return wanted == Dimension::temperature;  // the usual ones next to the table
 }
 
 // " (did you mean "rpm"?)" of names that differ in small and capital letters, or in one letter of three or more. Where
