@@ -68,10 +68,10 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
     if (!statistics && !samples) return run.advance(duration, state.data(), kernels::unobserved, stop);
     Stretch<typename kernels::SmoothRun<Source>::Flow, Source::sags> stretch(system, run.flow(), state, statistics,
                                                                              samples);
-    const IntegrationStatus reached = run.advance(
+    const IntegrationStatus ended = run.advance(
         duration, state.data(), [&](double from, double to, auto&& at) { stretch.step(from, to, at); }, stop);
     stretch.finish(duration);
-    return reached;
+    return ended;
   });
   return is_set(stop) ? IntegrationStatus::failed : status;
 }

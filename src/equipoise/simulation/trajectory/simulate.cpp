@@ -48,6 +48,8 @@ void check_overlap(const Study& study) {
     }
 }
 
+}  // namespace
+
 // A study as a machine from event to event, from t = 0 on.
 class AnyMachine {
  public:
@@ -82,6 +84,8 @@ class AnyMachine {
 
   std::variant<std::monostate, Machine<false>, Machine<true>> run_;
 };
+
+namespace {
 
 void check_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
