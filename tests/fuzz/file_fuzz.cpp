@@ -195,9 +195,13 @@ class Kinds {
     const std::string result = path("d.nc"), part = result + ".part";
     {
       BasinFile file(result, header);
-      const std::vector<double> phi(8, 1.0);
-      const std::vector<Fate> fates(4, Fate{Outcome::attracted, DecidedBy::windows, 1, 2.0});
-      for (int k = 0; k < 3; ++k) file.append({.count = 4, .phi = phi.data(), .fates = fates.data()}, {});
+      StartArrays starts;
+      starts.starts = 4;
+      starts.phi.assign(8, 1.0);
+      starts.outcome.assign(4, 1);
+      starts.decision_time.assign(4, 2.0);
+      starts.decided_by.assign(4, static_cast<signed char>(DecidedBy::windows));
+      for (int k = 0; k < 3; ++k) file.append(starts, {});
       file.append_attractor_search(std::vector<double>(8, 2.0));
     }
     kinds.push_back(
