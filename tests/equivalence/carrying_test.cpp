@@ -90,7 +90,7 @@ TEST(Carrying, TellsBallsOfUnlikeDragApart) {
   ASSERT_TRUE(told);
   EXPECT_NEAR(told->first, 4.0, 1e-12);
   EXPECT_NEAR(told->all, 0.2 / 0.03, 1e-12);
-  EXPECT_TRUE(holds(hanging_text(study), "the first of hanging balls round from 4 on, all from 6.66667 on"));
+  EXPECT_TRUE(holds(hanging_text(study), "the first of hanging balls round from 4 on, all from 6.6667 on"));
   EXPECT_EQ(carried_in(study, 900.0, 1000.0), 1);
   // Without drag nothing carries a ball.
   EXPECT_TRUE(holds(hanging_text(study_of(slow, {"balancer.drag=[0.0,0.05]"})), "without drag are never carried"));
