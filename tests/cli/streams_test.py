@@ -37,7 +37,7 @@ class LostOutput(Case):
         for target in (">/dev/full", ">&-", "<&- >&-"):
             done = shell(f"$E basin $S --starts 10 --quiet -o a.nc {target}; echo $? >&2; "
                          f"$E basin $S --starts 10 --quiet -o a.nc | grep '10 starts' >&2; rm a.nc", cwd=self.folder)
-            self.assertIn("1\n10 starts, seed 1", done.stderr)  # read from the file, and whole
+            self.assertIn("1\n10 starts at random ball angles, seed 1", done.stderr)  # read from the file, and whole
             done = shell(f"$E certify $S -o c.json {target}; echo $? >&2", cwd=self.folder)
             self.assertIn("1\n", done.stderr)
             with open(self.path("c.json"), encoding="utf-8") as file:
