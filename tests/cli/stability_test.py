@@ -84,7 +84,7 @@ class Results(Case):
         self.refused("stability", ROW, "--x-range", "0.5:6", "--y-range", "-1:0.3", words=("balancer.drag",))
         self.refused("stability", ROW, "--y-range", "0.1:0.3", words=("--x-range", "LOW:HIGH"))
         for command in ("stability", "map", "chart"):
-            self.refused(command, ROW, "--x", "speed.final=1:2", "--x-range", "1:3", words=("--x-range = 1:3", "one"))
+            self.refused(command, ROW, "--x", "speed.final=1:2", "--x-range", "1:3", words=("--x-range = 1:3", "once"))
             self.refused(command, ROW, "--x", "=1:2", words=("--x", "KEY=LOW:HIGH"))
             self.refused(command, ROW, "--x", "rotor.ecc=0:1", "--y", "balancer.drag=0.1:1", words=("--x: rotor.ecc", "unknown"))
         mass = ("--x-range", "0.5:6", "--y", "rotor.unbalance", "--y-range", "100 g mm:1100 g mm")
