@@ -205,8 +205,12 @@ std::string answer_sentence(const BasinSlice& map) {
   std::string text = fmt::format("Not one of {} ends balanced", plane);
   if (balanced != map.codes.end() && balanced->share.count > 0) {
     const bool plain = balanced->name == "balanced";  // otherwise held by friction
-    text = fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane, share_words(balanced->share),
-                       plain ? balanced->name : "\"" + balanced->name + "\"");
+    const std::string name = plain ? balanced->name : "\"" + balanced->name + "\"";
+    // Pixels come in an order that is not random.
+    text = map.complete ? fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane,
+                                      share_words(balanced->share), name)
+                        : fmt::format("Of the first {}, {} end {}; they are not a sample of the map", plane,
+                                      share_text(balanced->share), name);
   }
   if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
     text += fmt::format("; all within {:.3g} rad of balanced angles do", *map.figures.balanced_radius);

@@ -114,14 +114,18 @@ Document document_of(const BasinSlice& map) {
   document.add(Heading{2, "Where starts end", ""});
   document.add(map_drawing(map));
   if (map.complete || any) {
-    DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "95 % interval", "pixels", "of the map"},
-                        {},
-                        "Pixels lie on a grid; the interval is that of as many random starts.",
-                        false,
-                        {2}};
-    for (const OutcomeShare& c : map.codes)
-      table.rows.push_back(row_of("ntnnn", {fmt::format("{}", c.id), reader_title(c, physical), interval(c.share),
-                                            fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
+    DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}};
+    if (map.complete) {  // the first pixels are not a sample of all
+      table.header.emplace_back("95 % interval");
+      table.caption = "Pixels lie on a grid; the interval is that of as many random starts.";
+      table.spare = {4};
+    }
+    for (const OutcomeShare& c : map.codes) {
+      std::vector<std::string> cells{fmt::format("{}", c.id), reader_title(c, physical),
+                                     fmt::format("{}", c.share.count), part_of_map(map, c.share)};
+      if (map.complete) cells.push_back(interval(c.share));
+      table.rows.push_back(row_of("ntnnn", cells));
+    }
     document.add(std::move(table));
   }
   if (DocumentTable figures = figures_table(map.figures); !figures.rows.empty()) document.add(std::move(figures));
