@@ -209,7 +209,7 @@ std::string answer_sentence(const BasinSlice& map) {
     // Pixels come in an order that is not random.
     text = map.complete ? fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane,
                                       share_words(balanced->share), name)
-                        : fmt::format("Of the first {}, {} end {}; they are not a sample of the map", plane,
+                        : fmt::format("Among the first {}, {} end {}; they are not a sample of the map", plane,
                                       share_text(balanced->share), name);
   }
   if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
