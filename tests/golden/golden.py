@@ -39,7 +39,10 @@ def digest(content):
 
 
 def without_times(text, folder):
-    return TIMES.sub("(time)", text.replace(str(folder), "(folder)"))
+    """Lines of a paragraph of the terminal that states CPU times are joined: where they break depends on these."""
+    text = "\n\n".join(part.replace("\n", " ") if re.search(r"\d\s+s\s+CPU", part) else part
+                       for part in text.replace(str(folder), "(folder)").split("\n\n"))
+    return TIMES.sub("(time)", text)
 
 
 def columns(path):
