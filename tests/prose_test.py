@@ -96,8 +96,7 @@ def prose_of(page):
 def texts(source):
     """Kind, file and text."""
     for page in pages(source):
-        if page.name != "style.md":
-            yield "pages", page, plain(prose_of(page))
+        yield "pages", page, plain(prose_of(page))
     yield "changelog", source / "CHANGELOG.md", plain((source / "CHANGELOG.md").read_text())
     for folder, endings in (("src", (".cpp", ".hpp")), ("apps", (".cpp", ".hpp")), ("python/bindings", (".cpp", ".hpp")),
                             ("web/engine", (".cpp", ".hpp")), ("python/equipoise", (".py",))):

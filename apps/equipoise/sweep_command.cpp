@@ -86,8 +86,8 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
       if (told != Clock::time_point{} && Clock::now() - told < apart) return;
       told = Clock::now();
       const Share& balanced = cell.outcomes.front().share;
-      put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", cell_title(plan.axes(), index), cell.starts,
-                            percent(balanced.share, digits_for(balanced)), interval(balanced),
+      put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", cell_title(plan.axes(), index),
+                            cell.starts, percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
   return team.lead(options, [&] { return sweep(plan, options); });

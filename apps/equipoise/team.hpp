@@ -70,8 +70,7 @@ class Team {
   /// cells until nobody works. If the work cannot go on the others are sent home.
   template <class Options, class Compute>
   auto lead(Options& options, const Compute& compute) {
-    if (!alone())
-      options.helpers = [this, stop = options.stop](SurveyRun& work) { lead(work, stop); };
+    if (!alone()) options.helpers = [this, stop = options.stop](SurveyRun& work) { lead(work, stop); };
     return or_end(compute);
   }
   /// Of the others: works until the first has nothing more. Returns the exit code.
@@ -95,7 +94,7 @@ class Team {
   void dismiss();
   [[noreturn]] void abort(int code);
 
-  int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
+  int rank_ = 0, size_ = 1, left_ = 0;    // left_: of the others, those that may ask again
   [[maybe_unused]] bool joined_ = false;  // without MPI nothing is joined
   std::unique_ptr<Post> post_;
 };

@@ -249,7 +249,8 @@ TEST(UndecidedMachines, SayWhatTheyDo) {
   EXPECT_NE(brief.find("followed for 100 (numerics.horizon)"), std::string::npos) << brief;
   EXPECT_NE(rising.find("whose rotor still speeds up (at "), std::string::npos) << rising;
   // Inertia times speed over torque would be 6000 units of time: vibration absorbs all of the torque at resonance.
-  EXPECT_NE(rising.find("; the motor's target is 3; even without balls the rotor stalls at "), std::string::npos) << rising;
+  EXPECT_NE(rising.find("; the motor's target is 3; even without balls the rotor stalls at "), std::string::npos)
+      << rising;
 }
 
 // Notes on balance concern its linear stability.
@@ -278,7 +279,8 @@ TEST(BalanceNote, IsAboutStability) {
   EXPECT_NE(speeding.note.find("never vanishes"), std::string::npos) << speeding.note;
   const Study coasting =
       parse_study(text(heavy, two, motor("{ constant = 0.1, until = 20 }")) + "[sampling]\nstarts = 4\n", "coasting");
-  EXPECT_NE(equipoise::basin(coasting).note.find("the speed that the rotor then keeps is not known"), std::string::npos);
+  EXPECT_NE(equipoise::basin(coasting).note.find("the speed that the rotor then keeps is not known"),
+            std::string::npos);
 }
 
 // A motor so weak that no start is decided, with three horizons: before, in and after the passage through resonance.
@@ -333,9 +335,9 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
     EXPECT_NE(told.find("whose rotor still speeds up (at "), std::string::npos) << told;
     // As explain says of the same motor, 7860 s: three e-foldings of the way to its no-load speed.
     const double run_up = *equipoise::explain(study).run_up->shaken * study.scales->time();
-    EXPECT_NE(told.find(fmt::format("; the motor's target is 3000 rpm; a run-up to 2850 rpm takes about {:.0f} s",
-                                    run_up)),
-              std::string::npos)
+    EXPECT_NE(
+        told.find(fmt::format("; the motor's target is 3000 rpm; a run-up to 2850 rpm takes about {:.0f} s", run_up)),
+        std::string::npos)
         << told << run_up;
     EXPECT_EQ(told.find("longer than they were followed") != std::string::npos,
               run_up > horizon * study.scales->time());

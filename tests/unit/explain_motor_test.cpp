@@ -93,7 +93,8 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
     EXPECT_TRUE(warned(e, "in balance the rotor speeds up without end")) << torque;
     EXPECT_TRUE(holds(study_heading(e.study), "the last torque never ends")) << torque;
     EXPECT_TRUE(holds(e.no_motion, "no speed is held")) << torque;
-    EXPECT_TRUE(holds(verdict_text(e), "the balls have the mass and the room, but the motor's last torque never ends")) << torque;
+    EXPECT_TRUE(holds(verdict_text(e), "the balls have the mass and the room, but the motor's last torque never ends"))
+        << torque;
     // A rotor that begins in balance, with two equal balls.
     Explanation balanced = e;
     const double phi = std::acos(-0.01 / (2.0 * 0.05));

@@ -88,8 +88,7 @@ DesignMethod chosen_method(TableReader& table, std::size_t objectives) {
     table.fail("method", "wants several objectives; must be cmaes for one");
   const bool of_pagmo = method == DesignMethod::cmaes || method == DesignMethod::nsga2;
   if (of_pagmo && !optimisers_built_in())
-    table.fail("method",
-               "needs pagmo2 (libpagmo-dev), without which this program was built; must be latin");
+    table.fail("method", "needs pagmo2 (libpagmo-dev), without which this program was built; must be latin");
   return method;
 }
 

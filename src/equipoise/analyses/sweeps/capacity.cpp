@@ -210,6 +210,8 @@ class CapacityRun final : public SurveyRun {
     result_.cpu_target = cpu_target();
   }
 
+  ~CapacityRun() override { dismiss(); }
+
   CapacityResult run() {
     const RunClock clock;
     check();

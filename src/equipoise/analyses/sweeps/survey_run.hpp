@@ -39,7 +39,7 @@ class OpenEnsembles final : public ChunkHelp {
 /// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
 class SurveyRun {
  public:
-  virtual ~SurveyRun() { dismiss(); }
+  virtual ~SurveyRun() = default;  // who derives from it dismisses helpers first: they call what it overrides
 
   // For helpers, from any thread.
   /// A block that nobody works on yet; none once all are given out or the work is to stop.

@@ -102,6 +102,7 @@ class SweepRun final : public SurveyRun {
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
   }
+  ~SweepRun() override { dismiss(); }
 
   SweepResult run() {
     const RunClock clock;

@@ -1,6 +1,7 @@
 // Standards in sentences and as JSON, each figure with the standard that it is from.
 #include "equipoise/report/decision/standards_text.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -198,13 +199,9 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
     for (const std::string& sentence : without_balls_words(r)) group.push_back(Paragraph{sentence});
   }
   if (!r.transients || r.transients->groups.empty() || r.transients->groups.front().starts == 0) return groups;
-  const TransientGroup& all = r.transients->groups.front();
-  if (DocumentTable limits = limits_table(all, r.study); !limits.rows.empty()) {
-    std::vector<Block>& group = groups.emplace_back();
-    group.push_back(std::move(limits));
-    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) group.push_back(Paragraph{hits});
-  }
-  if (std::vector<Block> standards = standards_blocks(r); !standards.empty()) groups.push_back(std::move(standards));
+  std::array judged_by{limits_blocks(r.transients->groups.front(), r.study), standards_blocks(r)};
+  for (std::vector<Block>& group : judged_by)
+    if (!group.empty()) groups.push_back(std::move(group));
   return groups;
 }
 

@@ -51,10 +51,10 @@ std::string passage_text(const BasinResult& r) {
   const double above = r.study.passed_speed();
   const bool from_above = std::fabs(r.study.speed.initial) >= above;
   const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
-  std::string text =
-      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
-                  from_above ? "Above the resonance in the end" : "Came through the resonance",
-                  percent(passed.share, digits_for(passed)), interval(passed), engineering(r.study.scales, above, study::Dimension::speed));
+  std::string text = fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                                 from_above ? "Above the resonance in the end" : "Came through the resonance",
+                                 percent(passed.share, digits_for(passed)), interval(passed),
+                                 engineering(r.study.scales, above, study::Dimension::speed));
   if (held.count > 0) text += fmt::format("; held below: {}", part(held));
   const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
   if (open > 0)
@@ -74,7 +74,9 @@ std::string contact_text(const Share& met) {
 }
 
 std::string end_name(const BasinResult& r, const OutcomeShare& o) {
-  return o.id == stalled_code ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed) : o.name;
+  return o.id == stalled_code
+             ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed)
+             : o.name;
 }
 
 // Without rows for what no start came to: none_words() names those. `explained`: the caption says what columns mean.
@@ -247,11 +249,8 @@ class BasinDocument {
 
   // Limits and standards.
   void kept() {
-    std::vector<Block> limits, standards = standards_blocks(r_);
-    if (all_) {
-      if (DocumentTable table = limits_table(*all_, study_); !table.rows.empty()) limits.push_back(std::move(table));
-      if (const std::string words = clearance_words(*all_, study_); !words.empty()) limits.push_back(Paragraph{words});
-    }
+    std::vector<Block> limits = all_ ? limits_blocks(*all_, study_) : std::vector<Block>(),
+                       standards = standards_blocks(r_);
     if (limits.empty() && standards.empty()) return;
     document_.add(Heading{2, limits.empty() ? "Standards" : standards.empty() ? "Limits" : "Limits and standards", ""});
     for (std::vector<Block>* of : {&limits, &standards})

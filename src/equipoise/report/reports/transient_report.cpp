@@ -338,6 +338,9 @@ Json without_balls_json(const WithoutBalls& without, const Study& study) {
   return json;
 }
 
+namespace {
+
+// Starts within all limits, a row each of Within; without rows if no limit is stated.
 DocumentTable limits_table(const TransientGroup& group, const Study& study) {
   DocumentTable table{{"starts", "share", "95 % interval"}};
   const auto opens = [](const std::optional<Share>& s) { return s && (s->least < s->low || s->most > s->high); };
@@ -360,6 +363,15 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
   table.caption += ".";
   if (study.limits.force) table.caption += " Forces at the end are RMS values.";
   return table;
+}
+
+}  // namespace
+
+std::vector<Block> limits_blocks(const TransientGroup& group, const Study& study) {
+  std::vector<Block> blocks;
+  if (DocumentTable table = limits_table(group, study); !table.rows.empty()) blocks.push_back(std::move(table));
+  if (const std::string words = clearance_words(group, study); !words.empty()) blocks.push_back(Paragraph{words});
+  return blocks;
 }
 
 std::string clearance_words(const TransientGroup& group, const Study& study) {

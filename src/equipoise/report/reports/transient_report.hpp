@@ -34,8 +34,8 @@ std::vector<std::string> without_balls_words(const BasinResult& result);
 /// The object "without_balls" of basin_json(), in the units of transient_json().
 Json without_balls_json(const WithoutBalls& without, const Study& study);
 
-/// Starts within all limits, a row each of Within; without rows where no limit is stated.
-DocumentTable limits_table(const TransientGroup& group, const Study& study);
+/// Starts within all limits, and how many hit the housing; none if no limit is stated.
+std::vector<Block> limits_blocks(const TransientGroup& group, const Study& study);
 /// Of a study with limits.clearance: how many starts hit the housing. Else empty.
 std::string clearance_words(const TransientGroup& group, const Study& study);
 

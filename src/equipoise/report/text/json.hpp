@@ -89,9 +89,7 @@ Json extremes(Number least, Number mean, Number most) {
   return object("min", least, "mean", mean, "max", most);
 }
 
-inline void to_json(Json& json, const Estimate& e) {
-  json = object("value", e.value, "low", e.low, "high", e.high);
-}
+inline void to_json(Json& json, const Estimate& e) { json = object("value", e.value, "low", e.low, "high", e.high); }
 inline void to_json(Json& json, const ShareDifference& d) {
   json = object("difference", d.difference, "low", d.low, "high", d.high);
 }
