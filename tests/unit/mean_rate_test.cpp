@@ -75,6 +75,23 @@ TEST(MeanRate, WeighsSlipsOfChaosAgainstTheirScatter) {
   EXPECT_GE(captured, 38u);  // three standard deviations by Student's t with 15 degrees are exceeded by 1 in 110
 }
 
+// Two balls in chaos whose angles differ by a bounded walk: sixteen blocks have small errors, which the walk exceeds by
+// chance in some records, but it never gains a turn.
+TEST(MeanRate, AWanderWithinATurnIsNoDriftOfChaos) {
+  std::size_t significant = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> kick(0.0, 0.05);
+    AngleRecord record(1.0);
+    double angle = 0.0;
+    for (int k = 0; k <= 5000; ++k) record.add(angle = 0.9995 * angle + kick(random));
+    const MeanRate mean = mean_rate(record, false);
+    significant += std::fabs(mean.rate) > mean.error;
+    EXPECT_EQ(drift_of(mean, false, 0.024), Drift::none) << seed;
+  }
+  EXPECT_GE(significant, 1u);
+}
+
 TEST(MeanRate, RecordsOfAnyLengthStayBoundedAndExact) {
   const AngleRecord record = record_of(2e5, 0.4, [](double t) { return 0.01 * t + swing(t); });
   EXPECT_LE(record.size(), (std::size_t{1} << 16) + 1);
