@@ -98,8 +98,12 @@ Drift drift_of(const MeanRate& mean, bool regular, double matters) {
   const double rate = std::fabs(mean.rate);
   // An angle that only comes and goes never gains a whole turn. A turn is a slip.
   const bool slipped = std::fabs(mean.turned) > two_pi;
-  // Slips of regular motion add up.
-  if (regular) return slipped || rate > mean.error + noise ? Drift::some : Drift::none;
+  if (regular) {
+    // Slips of regular motion add up. Without one, a slow beat of the balls can make all parts agree by chance on a
+    // rate of up to eight times the error seen (a beat as long as the record); such a rate is measured for longer.
+    if (slipped || rate > 10.0 * mean.error + noise) return Drift::some;
+    return rate <= mean.error + noise ? Drift::none : Drift::unknown;
+  }
   // Chaos also slips back. By chance its mean exceeds three standard errors of sixteen blocks once in 110 records, and
   // four once in 860 (Student's t with 15 degrees of freedom). What lies in between is measured for longer.
   if (slipped && rate > 4.0 / 3.0 * mean.error + noise) return Drift::some;

@@ -279,20 +279,21 @@ class SmoothJourney final : public Journey {
     motion.depends_on_angle = !system_.autonomous();
     // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
     MotionStatistics fresh;
+    MotionStatistics& measured = kind == MotionKind::quasi_periodic ? fresh : last_;
     const double duration = whole(last_.duration);
     if (kind == MotionKind::quasi_periodic) {
       end_ = state_;
       if (!travel(end_, duration, &fresh)) return std::nullopt;
     }
-    // Slips of chaotic motion average out like the square root of time; a few more stretches may settle whether they
-    // do.
+    // Slips of chaotic motion average out like the square root of time, and slow beats of a torus even out; a few more
+    // stretches may settle whether they do.
     constexpr double longest = 16.0;
-    while (kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) && last_.duration < longest * duration)
-      if (!travel(end_, duration, &last_)) return std::nullopt;
+    while (!drifts_are_known(p_, measured, motion) && measured.duration < longest * duration)
+      if (!travel(end_, duration, &measured)) return std::nullopt;
     motion.state = system_.with_angles_reduced(end_);
     motion.exponents = exponents;
     motion.stable = true;
-    describe_statistics(system_, kind == MotionKind::quasi_periodic ? fresh : last_, motion);
+    describe_statistics(system_, measured, motion);
     motion.balanced = creeps_balanced(motion);
     motion.copies = motion.balanced ? 1 : count_copies(system_, motion);
     return motion;
