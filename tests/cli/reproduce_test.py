@@ -113,7 +113,7 @@ class Interruption(Case):
 class Reports(Case):
     @slow
     def test_one_page_and_markdown_of_it(self):
-        """The script that makes docs/evidence/reproduction.md shows the page's text and its pictures as files."""
+        """The script that makes docs/evidence/reproduction.md shows the page's text; its pictures and long tables are files."""
         page, text = self.path("reproduction.html"), self.path("paper.md")
         self.assertEqual(run("reproduce", "table-7", "figure-transients", "--starts", "200", "-o", self.folder, "--report", page,
                              "--quiet").returncode, 0)
@@ -121,10 +121,12 @@ class Reports(Case):
         self.assertNotRegex(html, r'(src|href)="(?!data:image|#)|<script')
         subprocess.run([sys.executable, os.path.join(STUDIES, "paper", "page.py"), self.folder, text], check=True)
         markdown = text_of(text)
+        lists = {name: text_of(self.path(f"paper-{name}.csv")) for name in ("cells", "fits", "settings")}
         for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
             self.assertIn(words, html)
-            self.assertIn(words, markdown)
-        self.assertEqual(html.count("<tr>"), markdown.count("\n| ") - markdown.count("\n| ---"))
+            self.assertIn(words, markdown + lists["settings"])
+        in_lists = sum(len(text.splitlines()) for text in lists.values())
+        self.assertEqual(html.count("<tr>"), markdown.count("\n| ") - markdown.count("\n| ---") + in_lists)
         self.assertEqual(os.listdir(self.path("paper-pictures")), ["figure-transients.svg"])
         self.assertIn("](paper-pictures/figure-transients.svg)", markdown)
 
