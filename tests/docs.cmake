@@ -13,7 +13,7 @@ set_tests_properties(docs.links_lead_somewhere docs.words_and_sentences docs.num
 set(docs_python /usr/bin/python3)  # the system's, as in python/CMakeLists.txt
 if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON AND NOT EQUIPOISE_SANITIZE)
   set(lessons tutorials/first-machine tutorials/first-basin-python tutorials/first-cpp-program tutorials/reproduce-a-table
-    how-to/hangs-at-resonance how-to/how-much-oil how-to/own-initial-states how-to/next-to-peers)
+    how-to/hangs-at-resonance how-to/how-much-oil how-to/own-initial-states explanation/next-to-peers)
   list(TRANSFORM lessons PREPEND docs/)
   list(APPEND lessons README)
   list(TRANSFORM lessons APPEND .md)

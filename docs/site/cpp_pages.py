@@ -104,5 +104,5 @@ def write(source, build, site, put):
         put(f"reference/cpp/{page}.md", text)
     put("reference/cpp/index.md",
         "# The C++ interface\n\nThe public headers, as they are installed, by chapter. It is made from the headers of this version. The "
-        "[tour of the library](../../how-to/library.md) is the place to begin.\n\n```{toctree}\n:maxdepth: 1\n\n" + "\n".join(pages) + "\n```\n")
+        "[tour of the library](../cpp.md) is the place to begin.\n\n```{toctree}\n:maxdepth: 1\n\n" + "\n".join(pages) + "\n```\n")
     return xml

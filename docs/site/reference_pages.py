@@ -131,7 +131,7 @@ def python_pages(source, put):
         put(f"reference/python/{module}.md", text + "```\n")
     put("reference/python/plot.md", "# Pictures\n\n```{eval-rst}\n.. automodule:: equipoise.plot\n   :imported-members:\n```\n")
     put("reference/python/index.md",
-        "# The Python interface\n\nFrom the docstrings of this version. [The Python package](../../how-to/python.md) is the place to begin.\n\n"
+        "# The Python interface\n\nFrom the docstrings of this version. [The Python package](../python.md) is the place to begin.\n\n"
         "```{eval-rst}\n.. automodule:: equipoise\n   :no-members:\n\n.. autofunction:: equipoise.cpu_targets\n```\n\n"
         "```{toctree}\n:maxdepth: 1\n\n" + "\n".join([*PYTHON.values(), "plot"]) + "\n```\n")
 

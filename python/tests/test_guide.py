@@ -13,7 +13,7 @@ pytest.importorskip("scipy")
 
 import equipoise as eq
 
-PAGE = (root / "docs" / "how-to" / "python.md").read_text(encoding="utf-8")
+PAGE = (root / "docs" / "reference" / "python.md").read_text(encoding="utf-8")
 
 # As the page has it, and what takes its place here: the same calls on smaller samples.
 SMALLER = {
@@ -92,4 +92,4 @@ def test_every_picture_and_call_is_on_the_page():
 
 def test_links_of_the_page_lead_somewhere():
     for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", PAGE):
-        assert (root / "docs" / "how-to" / target).exists(), target
+        assert (root / "docs" / "reference" / target).exists(), target

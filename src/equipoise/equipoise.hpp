@@ -7,7 +7,7 @@
 //     const equipoise::Trajectory one = equipoise::simulate(study, {0.0, 10.0, 20.0});
 //
 // The library throws equipoise::InputError for unusable input before any work starts and RunError for work it cannot
-// finish. It does not print, exit or abort. docs/how-to/library.md is the tour.
+// finish. It does not print, exit or abort. docs/reference/cpp.md is the tour.
 #pragma once
 
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Numbers that other groups published, computed again with equipoise and judged.
 
-    judge.py [PUBLICATION...] [--csv | --markdown]
+    judge.py [PUBLICATION...] [--csv | --markdown | --rows]
 
 PUBLICATION is a name in sources.csv (default: all). A verdict is
 
@@ -10,7 +10,8 @@ PUBLICATION is a name in sources.csv (default: all). A verdict is
     differs as known   they are farther apart, and `reason` says why
     not computed       `reason` says why
 
-The page docs/evidence/publications.md is what --markdown prints. Everything takes about a minute of one core.
+docs/evidence/publications.md is what --markdown prints, publications.csv next to it what --rows prints. Everything takes about a
+minute of one core.
 
 sources.csv has a line per publication, symbols.csv what its symbols are in a study, numbers.csv its numbers:
 
@@ -24,6 +25,7 @@ sources.csv has a line per publication, symbols.csv what its symbols are in a st
 
 import argparse
 import csv
+import io
 import math
 import pathlib
 import sys
@@ -37,10 +39,9 @@ VERDICTS = "agrees", "differs", "differs as known", "not computed"
 HEADINGS = "where", "quantity", "settings", "published", "by", "here", "verdict"
 NOTE = (
     "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half a unit of "
-    "the last digit; of a plot that was read, 2 % of the axis of a time history, 0.01 in the speed and 0.02 decades of a chart; "
-    "nothing where a formula gives the number. Where it is not on record how well a plot can be read, the error is assumed: half "
-    "a unit of the last digit that was read, 0.02 for speeds in run-ups, 2.5 rpm for simulated critical speeds. An error here is "
-    "what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of a search."
+    "the last digit, or what a plot can be read to: 2 % of the axis of a time history, 0.01 in the speed and 0.02 decades of a "
+    "chart. An error here is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of "
+    "a search. [publications.csv](publications.csv) has every number with its settings; below are those that differ."
 )
 
 
@@ -138,20 +139,31 @@ def line(cells):
 
 
 def markdown(results):
-    """The page's lines."""
+    """The page's lines: what agrees is counted, what differs is listed by its reason."""
     yield "# Other publications, computed again\n"
     yield f"> {tally([row for _, rows in results for row in rows])}\n\n{NOTE}"
     for publication, rows in results:
         yield f"\n## {publication['title']}\n\n{publication['citation']}.\n"
         yield f"Read: {escaped(publication['read'])}.\n"
-        symbols = [(s["theirs"], s["ours"]) for s in table("symbols") if s["publication"] == publication["publication"]]
-        yield "\n".join([line(("theirs", "in a study")), "| --- | --- |", *map(line, symbols)]) + "\n"
-        yield "\n".join([line(HEADINGS), "| --- | --- | --- | ---: | --- | ---: | --- |", *(line(shown(row)) for row in rows)])
-        yield f"\nStudy: studies/publications/{publication['study']}.toml"
-    yield (
-        "\nMade by `studies/publications/judge.py --markdown`, a script for the [Python package](../how-to/python.md). "
-        "`numbers.csv` has the table, `measures.py` what each number is."
-    )
+        yield f"{tally(rows)} Study: studies/publications/{publication['study']}.toml"
+        others = [row for row in rows if row["verdict"] != "agrees"]
+        for reason in dict.fromkeys(row["reason"] for row in others):
+            because = [row for row in others if row["reason"] == reason]
+            yield f"\n{escaped(because[0]['verdict'].capitalize())}: {escaped(reason)}.\n"
+            yield "\n".join([line(("where", "quantity", "published", "here")), "| --- | --- | ---: | ---: |"])
+            for row in because:
+                where, quantity, _, published, _, here, _ = shown(row)
+                yield line((where, quantity, published, here))
+    yield "\nMade by `studies/publications/judge.py`, a script for the [Python package](../reference/python.md)."
+
+
+def rows_of(results):
+    """The lines of publications.csv: every number as it is shown."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("publication", *HEADINGS))
+    writer.writerows([publication["publication"], *shown(row)] for publication, rows in results for row in rows)
+    return text.getvalue()
 
 
 def main(arguments=None):
@@ -161,6 +173,7 @@ def main(arguments=None):
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--csv", action="store_true", help="print numbers.csv with what was computed, and the verdicts")
     form.add_argument("--markdown", action="store_true", help="print the page")
+    form.add_argument("--rows", action="store_true", help="print every number as the page's table has it, as CSV")
     options = parser.parse_args(arguments)
     if unknown := set(options.publication) - set(sources):
         parser.error(f"unknown publication {min(unknown)}; must be among {', '.join(sources)}")
@@ -170,7 +183,7 @@ def main(arguments=None):
         rows = []
         for row in numbers(sources[name]):
             rows.append(judged(row))
-            if not (options.csv or options.markdown):
+            if not (options.csv or options.markdown or options.rows):
                 where, what, settings, published, by, computed, said = shown(rows[-1])
                 print(f"{name}, {where}: {what}" + f" ({settings})" * bool(settings))
                 print(f"    {by} {published}" + f", here {computed}" * bool(computed) + f": {said}", flush=True)
@@ -178,6 +191,8 @@ def main(arguments=None):
     everything = [row for _, rows in results for row in rows]
     if options.markdown:
         print("\n".join(markdown(results)))
+    elif options.rows:
+        print(rows_of(results), end="")
     elif options.csv:
         writer = csv.DictWriter(sys.stdout, everything[0], lineterminator="\n")
         writer.writeheader()

@@ -1,4 +1,4 @@
-// Somebody else's program: everything that docs/how-to/library.md shows, with the installed headers, and checks of its
+// Somebody else's program: everything that docs/reference/cpp.md shows, with the installed headers, and checks of its
 // results.
 #include <cmath>
 #include <cstdio>
