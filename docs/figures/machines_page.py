@@ -3,7 +3,7 @@
 
     docs/figures/machines_page.py [PROGRAM]
 
-From the repository's root. Runs `check` and `basin` on each study of studies/machines; seconds are of this computer.
+From the repository's root. Runs `basin` on each study of studies/machines; seconds are of this computer.
 """
 import os
 import re
@@ -58,14 +58,13 @@ def main():
     table, body = "| machine | verdict | seconds | CPU seconds |\n|---|---|---|---|\n", ""
     for name, title, words in MACHINES:
         study = f"studies/machines/{name}.toml"
-        check, _, _ = run(program, "check", study)
         answer, wall, cpu = run(program, "basin", study, "--quiet")
         verdict = re.sub(r"\s+", " ", answer.split("\nbecause", 1)[0].removeprefix("verdict")).strip()
         picture = f"screen-{name}.svg"
         subprocess.run([sys.executable, "docs/figures/terminal_screen.py", f"docs/figures/{picture}", "--", program, "basin", study, "--quiet"], check=True)
         anchor = re.sub("[^a-z0-9 -]", "", title.lower()).replace(" ", "-")
         table += f"| [{title}](#{anchor}) | {verdict} | {wall:.0f} | {cpu:.0f} |\n"
-        body += f"\n## {title}\n\n{words}\n\n```toml\n{study_text(study).strip()}\n```\n\n```text\n$ equipoise check {study}\n{check.strip()}\n```\n\n"
+        body += f"\n## {title}\n\n{words}\n\n```toml\n{study_text(study).strip()}\n```\n\n"
         body += f"![{verdict}](../figures/{picture})\n"
         print(f"{name}: {wall:.1f} s, {cpu:.1f} CPU s; {verdict}", file=sys.stderr)
     with open("docs/how-to/machines.md", "w", encoding="utf-8") as file:
