@@ -39,8 +39,8 @@ VERDICTS = "agrees", "differs", "differs as known", "not computed"
 HEADINGS = "where", "quantity", "settings", "published", "by", "here", "verdict"
 NOTE = (
     "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half a unit of "
-    "the last digit, or what a plot can be read to: 2 % of the axis of a time history, 0.01 in the speed and 0.02 decades of a "
-    "chart. An error here is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of "
+    "the last digit, or what a plot can be read to. For time histories that is 2 % of the axis, for charts 0.01 in the speed and "
+    "0.02 decades. An error here is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of "
     "a search. [publications.csv](publications.csv) has every number with its settings; below are those that differ."
 )
 
