@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What building and testing costs, in CPU seconds by target and by test: docs/evidence/cost.md (./dev cost).
+"""What building and testing costs, in CPU seconds by target and by test: tests/cost.md (./dev cost).
 
 usage: cost.py BUILD [--write]   configures and builds BUILD from nothing, runs every test but those labelled long,
-                                 two at a time, and prints the table; --write: into docs/evidence
+                                 two at a time, and prints the table; --write: into tests
        cost.py --one LOG COMMAND... runs one compiler or linker, and adds what it took to LOG
 
 What else the machine does stretches CPU seconds by some tenths, and seconds on the clock by any factor.
@@ -21,7 +21,7 @@ import sys
 sys.dont_write_bytecode = True
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs/evidence/cost.md"
+PAGE = ROOT / "tests/cost.md"
 
 
 def timed(command, **more):

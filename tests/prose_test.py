@@ -19,7 +19,7 @@ LONGEST = 35  # words in a sentence
 PLACES = {
     "changelog": 1,
     "comments": 364,
-    "pages": 72,
+    "pages": 71,
     "printed": 190,
 }
 

@@ -41,7 +41,7 @@ NOTE = (
     "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half a unit of "
     "the last digit, or what a plot can be read to. For time histories that is 2 % of the axis, for charts 0.01 in the speed and "
     "0.02 decades. An error here is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of "
-    "a search. [publications.csv](publications.csv) has every number with its settings; below are those that differ."
+    "a search. [publications.csv](publications.csv) has every number with its settings."
 )
 
 
@@ -134,12 +134,8 @@ def escaped(text):
     return text.replace("|", r"\|").replace("_", r"\_")
 
 
-def line(cells):
-    return "| " + " | ".join(map(escaped, cells)) + " |"
-
-
 def markdown(results):
-    """The page's lines: what agrees is counted, what differs is listed by its reason."""
+    """The page's lines: numbers are counted, those that differ by their reason."""
     yield "# Other publications, computed again\n"
     yield f"> {tally([row for _, rows in results for row in rows])}\n\n{NOTE}"
     for publication, rows in results:
@@ -149,11 +145,9 @@ def markdown(results):
         others = [row for row in rows if row["verdict"] != "agrees"]
         for reason in dict.fromkeys(row["reason"] for row in others):
             because = [row for row in others if row["reason"] == reason]
-            yield f"\n{escaped(because[0]['verdict'].capitalize())}: {escaped(reason)}.\n"
-            yield "\n".join([line(("where", "quantity", "published", "here")), "| --- | --- | ---: | ---: |"])
-            for row in because:
-                where, quantity, _, published, _, here, _ = shown(row)
-                yield line((where, quantity, published, here))
+            places = ", ".join(dict.fromkeys(row["place"] for row in because))
+            words = f"{because[0]['verdict'].capitalize()}, {len(because)} of {len(rows)} ({places}): {reason}."
+            yield "\n" + escaped(words)
     yield "\nMade by `studies/publications/judge.py`, a script for the [Python package](../reference/python.md)."
 
 
