@@ -24,11 +24,12 @@ ASKED = {
 
 def commands(program):
     text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
-    return re.findall(r"^  ([a-z]+) {2,}\S", text[text.index("Subcommands:"):], re.MULTILINE)
+    lines = re.findall(r"^  ([a-z]+(?:, [a-z]+)*) {2,}\S", text, re.MULTILINE)  # "  inspect, merge   look into files"
+    return [name for line in lines for name in line.split(", ")]
 
 
 def help_page(program):
-    text = "# Every command's options\n\nAs `equipoise COMMAND --help` prints them. What they do is told [command by command](commands/index.md).\n"
+    text = "# Every command's options\n\nAs `equipoise COMMAND --help` prints them. What they do is described [command by command](commands/index.md).\n"
     for name in ["", *commands(program)]:
         said = subprocess.run([program, *name.split(), "--help"], capture_output=True, text=True, check=True).stdout
         text += f"\n## equipoise {name}".rstrip() + f"\n\n```text\n{said.strip()}\n```\n"
@@ -71,7 +72,7 @@ def table_of_keys(answer):
 
 def json_page(answers):
     text = ("# Keys of the JSON objects\n\nOne small answer of each command, taken apart: every key that it has, what stands there and an example. "
-            "`[]` stands for each element of an array. What the keys mean is told [command by command](commands/index.md).\n")
+            "`[]` stands for each element of an array. What the keys mean is described [command by command](commands/index.md).\n")
     for name, answer in answers.items():
         text += f"\n## {name}\n\n{table_of_keys(answer)}"
     return text
