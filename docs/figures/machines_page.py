@@ -59,7 +59,7 @@ def main():
     for name, title, words in MACHINES:
         study = f"studies/machines/{name}.toml"
         answer, wall, cpu = run(program, "basin", study, "--quiet")
-        verdict = re.sub(r"\s+", " ", answer.split("\nbecause", 1)[0].removeprefix("verdict")).strip()
+        verdict = re.sub(r"\s+", " ", re.match(r"verdict(.*(?:\n .*)*)", answer)[1]).strip()
         picture = f"screen-{name}.svg"
         subprocess.run([sys.executable, "docs/figures/terminal_screen.py", f"docs/figures/{picture}", "--", program, "basin", study, "--quiet"], check=True)
         anchor = re.sub("[^a-z0-9 -]", "", title.lower()).replace(" ", "-")
