@@ -110,35 +110,15 @@ py::dict replay(const PyStudy& s, std::uint64_t index, std::optional<bool> trans
 py::object arrays_of(const JudgedBasin& judged) {
   if (!judged.basin.every_start) return py::none();
   const StartArrays& a = *judged.basin.every_start;
-  py::dict arrays, transients;
-  // `columns`: values a start, along a dimension of their own even if there is one or none.
-  using Columns = std::optional<py::ssize_t>;
-  const auto put = [&](const char* name, const auto& values, Columns columns = {}) {
+  py::dict arrays, figures;
+  for (const io::StartColumn& c : io::start_columns())
+    if (!c.is_figure()) arrays[c.name] = py::none();
+  for (const io::StartColumn& c : start_columns(judged.basin)) {
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(a.starts)};
-    if (columns) shape.push_back(*columns);
-    arrays[name] = array_of(std::decay_t<decltype(values)>(values), shape);
-  };
-  const auto put_known = [&](const char* name, const auto& values, Columns columns = {}) {
-    if (values.empty())
-      arrays[name] = py::none();
-    else
-      put(name, values, columns);
-  };
-  put("phi", a.phi, a.balls);
-  put_known("psi", a.psi);
-  put_known("rotor_state", a.rotor_state, 4);
-  put_known("phi_dot", a.phi_dot, a.balls);
-  put_known("drawn", a.drawn, static_cast<py::ssize_t>(a.drawn.size() / std::max<std::uint64_t>(a.starts, 1)));
-  put_known("weight", a.weight);
-  put("outcome", a.outcome);
-  put("decision_time", a.decision_time);
-  put("decided_by", a.decided_by);
-  put_known("mean_speed", a.mean_speed);
-  put_known("left_unbalance", a.left_unbalance);
-  put_known("balls_met", a.balls_met);
-  for (std::size_t k = 0; k < transient_figures.size(); ++k)
-    if (!a.transients[k].empty()) transients[transient_figures[k].name] = array_of(std::vector<float>(a.transients[k]));
-  arrays["transients"] = transients;
+    if (!c.along.empty()) shape.push_back(static_cast<py::ssize_t>(c.width));
+    c.visit(a, [&](auto values) { (c.is_figure() ? figures : arrays)[c.name] = array_of(std::move(values), shape); });
+  }
+  arrays["transients"] = figures;
   return arrays;
 }
 
@@ -225,6 +205,11 @@ void bind_ensembles(py::module_& module) {
   });
   module.def("grounds_of_decision",
              [] { return std::vector<std::string>(decided_by_names.begin(), decided_by_names.end()); });
+  module.def("outcome_numbers", [] {
+    std::vector<std::string> names;
+    for (const OutcomeNumber& n : outcome_numbers) names.emplace_back(n.name);
+    return names;
+  });
   module.def("flag_word", &io::flag_word);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", made<ComparisonResult>(&verdict))

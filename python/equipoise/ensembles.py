@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -45,6 +45,8 @@ class AttractorShare:
     count : int
     share, low, high : float
         Fraction of the starts with its 95 % interval.
+    numbers : dict[str, float]
+        The other numbers of the table of outcomes, by their names in ``data``, dimensionless.
     mean_time : float
         Mean time from the last branch's begin (and release) to the decision, in 1/omega_c; nan of no starts.
     """
@@ -57,7 +59,11 @@ class AttractorShare:
     share: float
     low: float
     high: float
-    mean_time: float
+    numbers: dict[str, float] = field(hash=False)
+
+    @property
+    def mean_time(self) -> float:
+        return self.numbers["mean_time"]
 
 
 def _of_every_start(result: BasinResult, name: str) -> Any:
@@ -142,7 +148,7 @@ class BasinResult(Result):
         return [
             AttractorShare(
                 o["id"], o["name"], o["alias"] or "", o["kind"], o["count"], o["share"], o["low"], o["high"],
-                float("nan") if o.get("mean_time") is None else o["mean_time"],
+                {name: float("nan") if o.get(name) is None else o[name] for name in _core.outcome_numbers()},
             )
             for o in self.data["outcomes"]
         ]

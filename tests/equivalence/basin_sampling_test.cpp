@@ -59,10 +59,10 @@ TEST_P(EvenSampling, ThreadsFilesAndSingleStartsGiveTheSameBits) {
   expect_same(a, b);
   const BasinFile file(one.output, basin_file_header(study, true));
   ASSERT_EQ(file.stored(), fates.size());
-  const std::vector<Fate> stored = file.read(0, fates.size());
+  const StartArrays stored = file.read(0, fates.size());
   for (std::size_t i = 0; i < fates.size(); ++i) {
-    ASSERT_EQ(stored[i].attractor, fates[i].attractor);
-    ASSERT_EQ(stored[i].time, fates[i].time);
+    ASSERT_EQ(fate_of(stored, i)->attractor, fates[i].attractor);
+    ASSERT_EQ(stored.decision_time[i], fates[i].time);
   }
   expect_same(file.summary().front().share, a.attractors.front().share);
   for (const std::uint64_t index : {0u, 777u, 4711u}) {

@@ -102,13 +102,14 @@ void append(BasinFile& file, std::size_t count) {
 
 void expect_starts(const BasinFile& file, std::uint64_t count) {
   ASSERT_EQ(file.stored(), count);
-  const std::vector<Fate> fates = file.read(0, count);
+  const StartArrays starts = file.read(0, count);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const Fate expected = fate_of(i);
-    ASSERT_EQ(fates[i].outcome, expected.outcome) << i;
-    ASSERT_EQ(fates[i].attractor, expected.attractor) << i;
-    ASSERT_EQ(fates[i].by, expected.by) << i;
-    ASSERT_EQ(fates[i].time, expected.time) << i;
+    const Fate expected = fate_of(i), fate = *fate_of(starts, i);
+    ASSERT_EQ(fate.outcome, expected.outcome) << i;
+    ASSERT_EQ(fate.attractor, expected.attractor) << i;
+    ASSERT_EQ(fate.by, expected.by) << i;
+    ASSERT_EQ(fate.time, expected.time) << i;
+    ASSERT_EQ(starts.phi[2 * i + 1], -static_cast<double>(i)) << i;
   }
 }
 

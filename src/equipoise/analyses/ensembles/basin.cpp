@@ -220,7 +220,7 @@ class BasinRun {
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
     TransientTally figures = *transients_;
-    for_each_stored(*file_, tally_->total(), file_->stored(), gathers_, [&](const Fate& fate, const TransientRow* row) {
+    for_each_stored(*file_, tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow* row) {
       whole.add(fate);
       if (row) figures.add(fate, *row);
     });
@@ -259,7 +259,7 @@ class BasinRun {
   void take_stored() {
     const std::uint64_t begin = tally_->total(), end = file_ ? std::min(file_->stored(), limit_) : 0;
     if (begin >= end) return;
-    for_each_stored(*file_, begin, end, gathers_, [&](const Fate& fate, const TransientRow* row) {
+    for_each_stored(*file_, begin, end, [&](const Fate& fate, const TransientRow* row) {
       if (finished_ || unread_) return;
       if (fate.attractor > 0 && !filed_.contains(fate.attractor)) meet_again(tally_->total(), fate);
       if (!unread_) take(fate, row);

@@ -30,9 +30,9 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
     chunk.first = first;
     chunk.count = each;
     if (!decide(chunk)) return;
-    const std::vector<Fate> fates = file.read(first, each);
+    const StartArrays starts = file.read(first, each);
     for (std::size_t i = 0; i < each; ++i)
-      if (!same(fates[i], chunk.fates[i]))
+      if (!same(*fate_of(starts, i), chunk.fates[i]))
         throw InputError(path, "", "",
                          fmt::format("start {}, computed with {}, has another result in this program with {}; must be "
                                      "a new file, or one that this program and instruction set made",

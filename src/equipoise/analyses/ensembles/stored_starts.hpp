@@ -16,17 +16,17 @@
 
 namespace equipoise {
 
-/// Calls visit(fate, row) for starts begin .. end - 1 of a file; `row` is null without `transients`.
+/// Calls visit(fate, row) for starts begin .. end - 1 of a file; `row` is null if it holds no transients.
 template <class Visit>
-void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t end, bool transients,
-                     const Visit& visit) {
+void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t end, const Visit& visit) {
   constexpr std::size_t block = 65536;
   for (std::uint64_t first = begin; first < end; first += block) {
     const std::size_t count = std::min<std::uint64_t>(block, end - first);
-    const std::vector<Fate> fates = file.read(first, count);
-    const std::vector<TransientRow> rows =
-        transients ? file.read_transients(first, count) : std::vector<TransientRow>{};
-    for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
+    const StartArrays starts = file.read(first, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const TransientRow row = row_of(starts, i);
+      visit(*fate_of(starts, i), starts.transients.front().empty() ? nullptr : &row);
+    }
   }
 }
 

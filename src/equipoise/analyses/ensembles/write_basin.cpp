@@ -50,9 +50,8 @@ void check_whole(const BasinResult& result) {
 }
 
 void check_outcomes(const StartArrays& a) {
-  Fate fate;
   for (std::size_t i = 0; i < a.starts; ++i)
-    if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fate))
+    if (!fate_of(a, i))
       throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
                        "must be an outcome that basin() returned");
 }
@@ -84,7 +83,7 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   Study study = result.study;
   if (!result.partial && !result.grid) study.sampling.starts = result.starts;
   const auto values = [&](std::size_t k) -> DataValues {
-    return [&a, value = columns[k].value](std::size_t at) { return value(a, at); };
+    return [&a, &column = columns[k]](std::size_t at) { return column.stored(a, at); };
   };
   BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, result};
   if (result.transients) end.all = result.transients->groups.front();

@@ -11,9 +11,7 @@ BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options, std:
   run.without_balls = false;
   run.keep_starts = true;
   BasinResult result = basin(study, run);
-  outcomes.outcome = std::move(result.every_start->outcome);
-  outcomes.transients = std::move(result.every_start->transients);
-  outcomes.mean_speed = std::move(result.every_start->mean_speed);
+  static_cast<StartArrays&>(outcomes) = std::move(*result.every_start);
   outcomes.study = result.study;
   outcomes.partial = result.partial;
   for (const OutcomeShare& a : result.attractors) outcomes.names[static_cast<short>(a.id)] = {a.name, a.alias};

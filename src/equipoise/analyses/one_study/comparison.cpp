@@ -157,9 +157,7 @@ class Comparison {
     const bool driven = o.study.speed.driven();
     const double final_speed = std::fabs(o.study.speed_profile().final_speed());
     for (std::size_t i = 0; i < (result_.common ? result_.starts : o.outcome.size()); ++i) {
-      TransientRow row;
-      for (std::size_t k = 0; k < transient_figures.size(); ++k)
-        row.*transient_figures[k].value = o.transients[k].empty() ? NAN : o.transients[k][i];
+      const TransientRow row = row_of(o, i);
       const bool lost = std::isnan(row.peak_radial), open = o.outcome[i] == undecided_code;
       if (lost && !result_.common) continue;
       const LimitsOfStart of = limits_of_start(o.study.limits, row,

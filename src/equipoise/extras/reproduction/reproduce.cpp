@@ -131,7 +131,7 @@ class TableRun {
          : line.id == diverged_code ? result.diverged
                                     : result.failed) = line.share;
     }
-    for_each_stored(file, 0, result.starts, false,
+    for_each_stored(file, 0, result.starts,
                     [&](const Fate& fate, const TransientRow*) { result.balanced.push_back(is_balanced(fate)); });
     return true;
   }

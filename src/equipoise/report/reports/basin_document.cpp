@@ -83,7 +83,6 @@ std::string end_name(const BasinResult& r, const OutcomeShare& o) {
 DocumentTable outcome_table(const BasinResult& r, bool explained) {
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
-  const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
   const study::ShownUnit length = study::shown_unit(study::Dimension::length, r.study.scales);
@@ -96,12 +95,16 @@ DocumentTable outcome_table(const BasinResult& r, bool explained) {
   };
   column(open, "bounds", false);
   column(t, fmt::format("RMS at end, {}", velocity.name), false);
-  column(true, physical ? "known after, s" : "known after", true);
+  const auto shown = [&](const OutcomeNumber& n) {
+    return n.dimension ? study::shown_unit(*n.dimension, r.study.scales) : study::ShownUnit{"", 1.0};
+  };
+  for (const OutcomeNumber& n : outcome_numbers)
+    column(true, physical && n.dimension ? fmt::format("{}, {}", n.title, shown(n).name) : n.title, true);
   column(true, "starts", true);
   column(even, "as good as", true);
   column(t && graded, "balance quality", true);
   column(t, fmt::format("displacement, {}", length.name), true);
-  const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
+  const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool ended) {
     std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
     if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
     const TransientGroup* group = nullptr;
@@ -112,7 +115,8 @@ DocumentTable outcome_table(const BasinResult& r, bool explained) {
       return number_cell(group ? fmt::format("{:.3g}", group->figure(value).mean * unit.size) : "-");
     };
     if (t) cells.push_back(mean(&TransientRow::rms_velocity, velocity));
-    cells.push_back(number_cell(timed ? fmt::format("{:.4g}", o.mean_time * second) : "-"));
+    for (const OutcomeNumber& n : outcome_numbers)
+      cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * shown(n).size) : "-"));
     cells.push_back(number_cell(fmt::format("{}", o.share.count)));
     if (even) cells.push_back(number_cell(as_good_as(o.share)));
     const auto grade = group && graded ? left_grade(*group, r.study) : std::nullopt;

@@ -17,6 +17,8 @@ namespace equipoise {
 
 namespace {
 
+std::string in_si(const OutcomeNumber& n) { return std::string(n.name) + "_si"; }
+
 // Times as in the note; null if a lifetime may be infinite.
 Json chaos_json(const BasinResult& r) {
   const EscapeRate& c = *r.chaos;
@@ -41,8 +43,11 @@ std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried)
   };
   json["outcomes"] = list_of(r.attractors, [&](const OutcomeShare& a) {
     Json one = outcome_with(a, share(a.share));
-    put(one, "mean_time", a.mean_time);
-    if (r.study.scales) put(one, "mean_time_si", a.mean_time * r.study.scales->time());
+    for (const OutcomeNumber& n : outcome_numbers) {
+      put(one, n.name, n.value(a));
+      if (r.study.scales && n.dimension)
+        put(one, in_si(n).c_str(), n.value(a) * study::scale_of(*n.dimension, *r.study.scales));
+    }
     for (int k = 1; k < decided_by_count; ++k) one["decided_by"][decided_by_names[k]] = a.decided_by[k];
     put_left_unbalance(one, a, r.study);
     return one;
@@ -56,9 +61,12 @@ std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried)
       json["passed"]["above"] = r.study.passed_speed();
     }
   }
-  put(json, "confidence", 0.95, "units", object("mean_time", "1/omega_c"));
+  put(json, "confidence", 0.95, "units", Json::object());
   Json& units = json["units"];
-  if (r.study.scales) put(units, "mean_time_si", "s");
+  for (const OutcomeNumber& n : outcome_numbers) {
+    put(units, n.name, n.unit());
+    if (r.study.scales && n.dimension) put(units, in_si(n).c_str(), study::words(*n.dimension).si);
+  }
   if (r.stalled) put(units, "below", "omega_c");
   if (r.passed) put(units, "above", "omega_c");
   if (r.met) put(json, "balls_met", share(*r.met));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "equipoise/core/statistics/share.hpp"
+#include "equipoise/results/columns/column.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
@@ -29,6 +30,20 @@ struct OutcomeShare {
   std::vector<double> grade{};  ///< in a study with physical units: their balance quality grades, mm/s
 };
 inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
+
+/// A number of every attractor in an ensemble, in addition to its share. A line here reaches the table of outcomes, on
+/// terminals and pages, JSON, files and Python.
+struct OutcomeNumber : Column {
+  const char* title;                     ///< of its column in the table
+  double (*value)(const OutcomeShare&);  ///< for an attractor in which some start ended
+  bool in_files = true;                  ///< false: follows from what the file says of each start
+};
+inline constexpr auto outcome_numbers = std::to_array<OutcomeNumber>({
+    {{"mean_time", "mean time to the decision", study::Dimension::time},
+     "known after",
+     [](const OutcomeShare& o) { return o.mean_time; },
+     false},
+});
 
 /// "co-drifting (V1)".
 template <class Named>

@@ -49,7 +49,7 @@ struct MotionColumn : Column {
   std::optional<double> (*value)(const SweepOutcome&);
 };
 inline constexpr std::array<MotionColumn, 5> motion_columns{{
-    {{"mean_time", "mean time to the decision", study::Dimension::time},
+    {outcome_numbers.front(),
      [](const SweepOutcome& o) { return o.share.count > 0 ? std::optional(o.mean_time) : std::nullopt; }},
     {motion_number("r_min"), [](const SweepOutcome& o) { return o.r_min; }},
     {motion_number("r_mean"), [](const SweepOutcome& o) { return o.r_mean; }},

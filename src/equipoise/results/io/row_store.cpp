@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/display_text.hpp"
-#include "equipoise/core/base/error.hpp"
 
 namespace equipoise::io {
 
@@ -56,13 +55,6 @@ void RowStore::forget() {
   Store::forget();
   rows_.clear();
   texts_.clear();
-}
-
-std::size_t RowStore::column(std::string_view name) const {
-  const auto& columns = layout_.columns;
-  const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
-  if (found == columns.end()) throw RunError(fmt::format("{}: holds no {}", path(), name));
-  return static_cast<std::size_t>(found - columns.begin());
 }
 
 void RowStore::read(std::size_t column, std::uint64_t first, std::size_t count, double* values) const {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,7 +33,6 @@ class RowStore : public Store {
   /// Removes the journal: all that is needed of it is in the finished results.
   void forget();
 
-  std::size_t column(std::string_view name) const;
   /// Replaces those of the values of rows first .. first + count - 1 that are known; of a row that was appended more
   /// than once, they are the last ones. Whole lines.
   void read(std::size_t column, std::uint64_t first, std::size_t count, double* values) const;

@@ -68,13 +68,6 @@ void BasinFile::forget_notes() {
   if (behind_.empty()) forget();
 }
 
-std::vector<double> BasinFile::values_of(const char* name, std::uint64_t first, std::size_t count) const {
-  if (first + count > stored_) throw RunError(fmt::format("{}: start {} is not there", path(), stored_));
-  std::vector<double> values(count);
-  RowStore::read(column(name), first, count, values.data());
-  return values;
-}
-
 void BasinFile::append(const StartArrays& starts, const RunTime& so_far) {
   if (starts.starts == 0) return;
   if (!ran_on(header_.cpu_target)) {
@@ -85,7 +78,7 @@ void BasinFile::append(const StartArrays& starts, const RunTime& so_far) {
                .count = starts.starts,
                .seconds = time_.seconds + so_far.seconds,
                .cpu_seconds = time_.cpu_seconds + so_far.cpu_seconds},
-              [&](std::size_t column, std::size_t place) { return columns_[column].value(starts, place); });
+              [&](std::size_t column, std::size_t place) { return columns_[column].stored(starts, place); });
   hold(stored_, starts.starts);
 }
 
@@ -133,36 +126,21 @@ std::vector<OutcomeShare> BasinFile::summary() const {
   return lines;
 }
 
-std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const {
-  const auto codes = values_of("outcome", first, count), times = values_of("decision_time", first, count),
-             grounds = values_of("decided_by", first, count);
-  std::vector<Fate> fates(count);
+StartArrays BasinFile::read(std::uint64_t first, std::size_t count) const {
+  if (first + count > stored_) throw RunError(fmt::format("{}: start {} is not there", path(), stored_));
+  StartArrays starts;
+  starts.starts = count;
+  starts.balls = header_.balls;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    values.resize(count * columns_[k].width);
+    RowStore::read(k, first, count, values.data());
+    columns_[k].take(values, starts);
+  }
   for (std::size_t i = 0; i < count; ++i)
-    if (!io::fate_from(static_cast<short>(codes[i]), static_cast<signed char>(grounds[i]), times[i], fates[i]))
+    if (!fate_of(starts, i))
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", path(), first + i));
-  const auto read_figure = [&](const char* name, float Fate::*figure) {
-    const auto values = values_of(name, first, count);
-    for (std::size_t i = 0; i < count; ++i)
-      if (values[i] != io::missing_figure) fates[i].*figure = static_cast<float>(values[i]);
-  };
-  if (header_.driven) read_figure("mean_speed", &Fate::mean_speed);
-  if (header_.sticks) read_figure("left_unbalance", &Fate::unbalance);
-  if (header_.touches) {
-    const auto met = values_of("balls_met", first, count);
-    for (std::size_t i = 0; i < count; ++i) fates[i].met = met[i] != 0.0;
-  }
-  return fates;
-}
-
-std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
-  std::vector<TransientRow> rows(count);
-  std::vector<bool> lost;
-  for (const TransientFigure& f : transient_figures) {
-    std::vector<double> values = values_of(f.name, first, count);
-    io::restore_missing(f, values, lost);
-    for (std::size_t i = 0; i < count; ++i) rows[i].*f.value = static_cast<float>(values[i]);
-  }
-  return rows;
+  return starts;
 }
 
 void BasinFile::finish(const BasinEnd& end) {

@@ -17,7 +17,6 @@
 #include "equipoise/results/commands/transient_result.hpp"
 #include "equipoise/results/io/row_store.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
-#include "equipoise/results/types/fate.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise {
@@ -80,10 +79,8 @@ class BasinFile : public io::RowStore {
   std::uint64_t unfinished() const { return stored_ - finished(); }
   /// The CPU targets that they were computed on.
   const std::vector<std::string>& cpu_targets() const { return cpu_targets_; }
-  /// Fates of starts first .. first + count - 1.
-  std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
-  /// Their transients, of a file that holds them.
-  std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
+  /// Starts first .. first + count - 1, each with a fate (fate_of()).
+  StartArrays read(std::uint64_t first, std::size_t count) const;
   /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
   /// ones.
   void append(const StartArrays& starts, const RunTime& so_far);
@@ -100,7 +97,6 @@ class BasinFile : public io::RowStore {
  private:
   void hold(std::uint64_t first, std::uint64_t count);
   bool ran_on(const std::string& target) const;
-  std::vector<double> values_of(const char* column, std::uint64_t first, std::size_t count) const;
 
   const BasinFileHeader header_;
   const std::vector<io::StartColumn> columns_;

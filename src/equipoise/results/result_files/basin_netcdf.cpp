@@ -92,6 +92,14 @@ void add_kinds(Dataset& data, const BasinContents& c) {
     add(
         std::string("kind_") + s.name, s.of_ensemble,
         [value = s.value](const OutcomeShare& o) { return o.share.*value; }, Type::real);
+  for (const OutcomeNumber& n : outcome_numbers)
+    if (n.in_files)
+      data.add(std::string("kind_") + n.name, n.cf_units(), n.long_name(), {kind},
+               [&c, &n](std::size_t k) {
+                 const OutcomeShare& o = c.summary[k];
+                 return o.id > 0 && o.share.count > 0 ? n.value(o) : no_number;
+               })
+          .fill = no_number;
   if (c.header.sticks) add_left_unbalance(data, kind, c);
   if (c.header.method == SamplingMethod::random) return;  // random starts need no more than their counts
   const auto interval = [](const OutcomeShare& s) { return interval_names[static_cast<std::size_t>(s.share.by)]; };

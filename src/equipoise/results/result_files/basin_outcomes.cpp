@@ -1,16 +1,14 @@
 // Outcomes in files of results.
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/result_files/start_columns.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise {
 
@@ -61,24 +59,15 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   result.study = parse_kept_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";
   result.own_starts = file.attribute("own_starts");
-  const auto read = [&](const char* name, DataColumn::Type type) {
-    return io::read_column(file, name, type, {starts});
-  };
-  const std::vector<double> codes = read("outcome", DataColumn::Type::small);
-  result.outcome.assign(codes.begin(), codes.end());
-  if (file.has_variable("mean_speed")) {
-    std::vector<double> speeds = read("mean_speed", DataColumn::Type::single);
-    std::replace(speeds.begin(), speeds.end(), double{io::missing_figure}, std::numeric_limits<double>::quiet_NaN());
-    result.mean_speed.assign(speeds.begin(), speeds.end());
-  }
-  std::vector<bool> lost;
-  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
-    const TransientFigure& f = transient_figures[k];
-    if (!file.has_variable(f.name)) continue;
-    std::vector<double> values = read(f.name, DataColumn::Type::single);
-    io::restore_missing(f, values, lost);
-    result.transients[k].assign(values.begin(), values.end());
-  }
+  BasinFileHeader holds;
+  holds.angles = false;
+  holds.driven = file.has_variable("mean_speed");
+  holds.sticks = file.has_variable("left_unbalance");
+  holds.touches = file.has_variable("balls_met");
+  if (file.has_variable(transient_figures.front().name)) holds.transients.emplace();
+  result.starts = starts;
+  for (const io::StartColumn& c : io::start_columns(holds))
+    c.take(io::read_column(file, c.name, c.type, {starts}), result);
   for (const OutcomeShare& o : io::read_outcome_kinds(file, "kind_"))
     result.names[static_cast<short>(o.id)] = {o.name, o.alias};
   for (std::size_t i = 0; i < starts; ++i)

@@ -1,14 +1,13 @@
 // Outcomes in files of results: of every start, for comparison with another ensemble, and the kinds of them.
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "equipoise/results/columns/dataset.hpp"
-#include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
+#include "equipoise/results/commands/start_arrays.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -16,21 +15,19 @@ namespace equipoise {
 /// What is wrong with a record: start, outcome.
 inline constexpr char outcome_without_name[] = "is damaged: start {} has outcome {}, which the file does not name";
 
-struct BasinOutcomes {
+/// The starts of an ensemble, in which `outcome` says where each ended.
+struct BasinOutcomes : StartArrays {
   Study study;
-  std::vector<short> outcome;  ///< of start i: an attractor's identifier, or a code such as undecided_code
   struct Name {
     std::string name, alias;
   };
   std::map<short, Name> names;  ///< of all outcomes that occur
-  /// If they were gathered: figures of start i, as in StartArrays; of starts that were lost none is a number.
-  std::array<std::vector<float>, transient_figures.size()> transients;
-  std::vector<float> mean_speed;  ///< of start i, if its rotor is driven
-  std::string own_starts;         ///< for the caller's own starts: their number and checksum
+  std::string own_starts;       ///< for the caller's own starts: their number and checksum
   bool partial = false;
 };
 
-/// Reads a file that basin() finished. Throws InputError, naming the file, for other or damaged files.
+/// Reads a file that basin() finished, without what its starts began with. Throws InputError, naming the file, for
+/// other or damaged files.
 BasinOutcomes read_basin_outcomes(const std::string& path);
 
 namespace io {

@@ -1,7 +1,6 @@
 // The list of columns and their values.
 #include "equipoise/results/result_files/start_columns.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise::io {
 
@@ -27,20 +25,7 @@ constexpr DataColumn::Type data_type = std::is_same_v<T, double>  ? DataColumn::
 template <class T>
 StartColumn column_of(const Column& told, std::vector<T> StartArrays::*values, std::size_t width = 1,
                       const char* along = "") {
-  const auto value = [=](const StartArrays& starts, std::size_t place) -> double {
-    const T there = (starts.*values)[place];
-    if constexpr (std::is_same_v<T, float>) return std::isfinite(there) ? there : missing_figure;
-    return there;
-  };
-  return {{told, data_type<T>, width, along}, value};
-}
-
-StartColumn column_of(std::size_t figure) {
-  const auto value = [=](const StartArrays& starts, std::size_t place) -> double {
-    const float there = starts.transients[figure][place];
-    return std::isfinite(there) ? there : missing_figure;
-  };
-  return {{transient_figures[figure], DataColumn::Type::single}, value};
+  return {{told, data_type<T>, width, along}, values};
 }
 
 const char* outcome_meaning() {
@@ -75,7 +60,8 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
                                        &StartArrays::drawn, header.drawn.size(), "uncertain_value"));
   add(header.method == SamplingMethod::grid,
       column_of({"weight", "cells of the grid that the start's cell stands for"}, &StartArrays::weight));
-  for (std::size_t k = 0; k < transient_figures.size(); ++k) add(header.transients.has_value(), column_of(k));
+  for (std::size_t k = 0; k < transient_figures.size(); ++k)
+    add(header.transients.has_value(), {{transient_figures[k], data_type<float>}, k});
   add(true, column_of({"outcome", outcome_meaning()}, &StartArrays::outcome));
   add(true, column_of({"decision_time", "study time at which the outcome was known", Dimension::time},
                       &StartArrays::decision_time));
@@ -93,25 +79,37 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   return columns;
 }
 
-bool fate_from(short code, signed char by, double time, Fate& fate) {
-  const auto none =
-      std::find_if(no_attractors.begin(), no_attractors.end(), [&](const auto& n) { return n.code == code; });
-  if ((code <= 0 && none == no_attractors.end()) || by < 0 || by >= decided_by_count) return false;
-  fate.outcome = code > 0 ? Outcome::attracted : none->outcome;
-  fate.attractor = std::max<short>(code, 0);
-  fate.by = static_cast<DecidedBy>(by);
-  fate.time = time;
-  return true;
+std::vector<StartColumn> start_columns() {
+  BasinFileHeader header;
+  header.full_starts = header.driven = header.sticks = header.touches = true;
+  header.own_starts = "given";
+  header.drawn = {""};
+  header.method = SamplingMethod::grid;
+  header.transients.emplace();
+  return start_columns(header);
 }
 
-// Of every start that was not lost there is a peak, the first figure.
-void restore_missing(const TransientFigure& figure, std::vector<double>& values, std::vector<bool>& lost) {
-  if (lost.empty())
-    for (const double peak : values) lost.push_back(peak == missing_figure);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i] == missing_figure)
-      values[i] =
-          figure.needs && !lost[i] ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+double StartColumn::stored(const StartArrays& starts, std::size_t place) const {
+  double stored = 0.0;
+  visit(starts, [&]<class T>(const std::vector<T>& there) {
+    stored = there[place];
+    if constexpr (std::is_same_v<T, float>)
+      if (!std::isfinite(stored)) stored = missing_figure;
+  });
+  return stored;
+}
+
+void StartColumn::take(const std::vector<double>& from_file, StartArrays& starts) const {
+  const bool may_go_on = is_figure() && transient_figures[std::get<std::size_t>(values)].needs;
+  const std::vector<float>& peaks = starts.transients[figure_place(&TransientRow::peak_radial)];
+  visit(starts, [&]<class T>(std::vector<T>& there) {
+    there.assign(from_file.begin(), from_file.end());
+    if constexpr (std::is_same_v<T, float>)
+      for (std::size_t i = 0; i < there.size(); ++i)
+        if (there[i] == missing_figure)
+          there[i] = may_go_on && !std::isnan(peaks[i]) ? std::numeric_limits<float>::infinity()
+                                                        : std::numeric_limits<float>::quiet_NaN();
+  });
 }
 
 }  // namespace equipoise::io
