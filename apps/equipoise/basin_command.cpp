@@ -152,7 +152,7 @@ int run_basin(const BasinArguments& a) {
   }
   if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
   progress.finish();
-  put(a.json ? basin_json(result, tried) : basin_text(result, text_style(), tried));
+  put(a.json ? json_text(result, tried) : basin_text(result, text_style(), tried));
   const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
   return partial && stop_flag() ? ended_early(progress.left(), kept_by_output, a.output) : done;
 }

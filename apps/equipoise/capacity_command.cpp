@@ -89,7 +89,7 @@ int run_capacity(CapacityArguments& a) {
   ProgressLine progress(a.quiet, options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
-  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return capacity_json(result); },
+  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return json_text(result); },
                 [&] { return capacity_csv(result); },
                 [&] { return plot_file(capacity_title(result), capacity_plots(result)); },
                 [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});

@@ -37,7 +37,7 @@ std::string read_certificates(const std::string& path) {
 
 int check_file(const std::string& path, bool as_json) {
   const CertificateFile checked = checked_certificates(read_certificates(path), display_text(path), &stop_flag());
-  put(as_json ? check_json(checked) : check_text(checked, text_style()));
+  put(as_json ? json_text(checked) : check_text(checked, text_style()));
   return stop_flag() ? ended_early({}, nullptr, "") : checked.proved() ? done : check_failed;
 }
 
@@ -64,7 +64,7 @@ int run_certify(const CertifyArguments& a) {
   ProgressLine progress(a.quiet, options);
   const CertifyResult result = certify(at_medians(read_study(a.study, a.overrides)), options);
   progress.finish();
-  put(a.json ? certify_json(result) : certify_text(result, text_style()));
+  put(a.json ? json_text(result) : certify_text(result, text_style()));
   if (!a.output.empty()) write_certificates(a.output, result);
   return result.partial ? ended_early(progress.left(), nullptr, "") : result.proved() ? done : check_failed;
 }

@@ -129,8 +129,8 @@ int run_reproduce(ReproduceArguments& a) {
   progress.finish();
   r.command = command_line(a);
   if (!r.partial) write_reproduction(r, a.report, a.explorer, folder);
-  if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
-  put(a.json ? reproduction_json(r) : document_text(reproduction_document(r), text_style()));
+  if (!a.output.empty()) write_file(a.output + "/reproduction.json", json_text(r));
+  put(a.json ? json_text(r) : document_text(reproduction_document(r), text_style()));
   std::optional<WorkLeft> left = progress.left();
   if (left && left->total > 0) left->what = "starts";
   return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;

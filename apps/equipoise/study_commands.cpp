@@ -49,7 +49,7 @@ int run_explain(const ExplainArguments& a) {
   } else if (a.within) {
     throw InputError("--within", "", display_text(*a.within), "goes with --cost only: nothing else takes time here");
   }
-  put(a.json ? explain_json(e) : explain_text(e, text_style()));
+  put(a.json ? json_text(e) : explain_text(e, text_style()));
   return stop_flag() ? interrupted : done;
 }
 
@@ -119,7 +119,7 @@ Command add_inspect(CLI::App& app) {
   add_json(app, a->json);
   return [a]() -> int {
     const Inspection inspection = inspect_file(a->file);
-    put(a->json ? inspection_json(inspection) : inspection_text(inspection));
+    put(a->json ? json_text(inspection) : inspection_text(inspection));
     return inspection.damage.empty() ? done : check_failed;
   };
 }

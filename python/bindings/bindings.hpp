@@ -128,11 +128,11 @@ auto saved(void (*write)(const std::string&, const Result&)) {
 }
 
 /// Its class, with what all results have: text, json, interrupted.
-template <class Result, class Text, class Json>
-py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text text, Json json) {
+template <class Result, class Text>
+py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text text) {
   return py::class_<Kept<Result>>(module, name)
       .def("text", made<Result>(text))
-      .def("json", made<Result>(json))
+      .def("json", [](const Kept<Result>& kept) { return json_text(kept.result); })
       .def_readonly("interrupted", &Kept<Result>::interrupted);
 }
 

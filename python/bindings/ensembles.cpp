@@ -30,6 +30,8 @@ struct JudgedBasin {
 };
 using Basin = Kept<JudgedBasin>;
 
+std::string json_text(const JudgedBasin& judged) { return json_text(judged.basin, judged.tried); }
+
 // Transients are gathered where the command line gathers them.
 std::optional<bool> gathered(const PyStudy& s, std::optional<bool> asked) {
   return asked || !s.study.physical ? asked : std::optional(true);
@@ -183,9 +185,7 @@ Kept<ComparisonResult> compare_studies(const GivenSide& first_given, const Given
 }  // namespace
 
 void bind_ensembles(py::module_& module) {
-  bind_kept<JudgedBasin>(
-      module, "Basin", [](const JudgedBasin& r) { return basin_text(r.basin, wide_style, r.tried); },
-      [](const JudgedBasin& r) { return basin_json(r.basin, r.tried); })
+  bind_kept<JudgedBasin>(module, "Basin", [](const JudgedBasin& r) { return basin_text(r.basin, wide_style, r.tried); })
       .def("page", [](const Basin& b) { return b.result.page; })
       .def("sentences", [](const Basin& b) { return b.result.sentences; })
       .def("arrays", made<JudgedBasin>(&arrays_of))
@@ -211,7 +211,7 @@ void bind_ensembles(py::module_& module) {
     return names;
   });
   module.def("flag_word", &io::flag_word);
-  bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
+  bind_kept<ComparisonResult>(module, "Comparison", &comparison_text)
       .def("verdict", made<ComparisonResult>(&verdict))
       .def("study", [](const Kept<ComparisonResult>& c) { return PyStudy::of(c.result.first); });
   module.def("compare", &compare_studies);

@@ -66,17 +66,18 @@ Kept<CertificateFile> check(const std::string& text, const std::string& where) {
 }  // namespace
 
 void bind_motions(py::module_& module) {
-  bind_kept<AttractorsResult>(module, "Attractors", &attractors_text, &attractors_json);
+  bind_kept<AttractorsResult>(module, "Attractors", &attractors_text);
   module.def("attractors", &find_attractors);
   module.def("motion_path", &path_of);
-  bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
+  bind_kept<BranchesResult>(module, "Branches", &branches_text)
       .def("csv", made<BranchesResult>(&branches_csv))
       .def("save", saved<BranchesResult>(&write_branches_file));
   module.def("follow", &follow);
-  bind_kept<CertifyResult>(module, "Certificates", &certify_text, &certify_json)
-      .def("certificates", [](const Kept<CertifyResult>& c) { return certificates_json(c.result); });
+  bind_kept<CertifyResult>(module, "Certificates", &certify_text).def("certificates", [](const Kept<CertifyResult>& c) {
+    return certificates_json(c.result);
+  });
   module.def("certify", &prove);
-  bind_kept<CertificateFile>(module, "CertificateFile", &check_text, &check_json);
+  bind_kept<CertificateFile>(module, "CertificateFile", &check_text);
   module.def("check_certificates", &check);
 }
 

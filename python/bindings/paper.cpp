@@ -54,7 +54,7 @@ void bind_paper(py::module_& module) {
   module.def("paper_study", &paper_study);
   module.def("reproducible", &reproducible);
   const auto text = [](const Reproduction& r) { return document_text(reproduction_document(r), wide_style); };
-  bind_kept<Reproduction>(module, "Reproduction", text, &reproduction_json)
+  bind_kept<Reproduction>(module, "Reproduction", text)
       .def("page", [](const Kept<Reproduction>& kept, const std::string& explorer) {
         return document_html(reproduction_document(kept.result, explorer));
       });

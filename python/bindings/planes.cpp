@@ -142,19 +142,19 @@ void bind_planes(py::module_& module) {
   });
   module.def("point_numbers", [] { return attributes_of_all(point_numbers); });
   module.def("axis_units", [](const std::string& key) { return SliceAxis{key}.angle() ? "radian" : "1"; });
-  bind_kept<BasinSlice>(module, "Map", &result_text<BasinSlice>, &map_json)
+  bind_kept<BasinSlice>(module, "Map", &result_text<BasinSlice>)
       .def("arrays", made<BasinSlice>(&arrays_of_map))
       .def("summary", made<BasinSlice>(&summary_of_map))
       .def("page", paged<BasinSlice>())
       .def("save", saved<BasinSlice>(&write_map_file));
   module.def("map", &draw_map);
-  bind_kept<StabilityPlane>(module, "Stability", &stability_text, &stability_json)
+  bind_kept<StabilityPlane>(module, "Stability", &stability_text)
       .def("arrays", made<StabilityPlane>(&arrays_of_stability))
       .def("summary", made<StabilityPlane>(&summary_of_stability))
       .def("csv", made<StabilityPlane>(&stability_csv))
       .def("save", saved<StabilityPlane>(&write_stability_file));
   module.def("stability", &look_at_balance);
-  bind_kept<BifurcationChart>(module, "Chart", &chart_text, &chart_json)
+  bind_kept<BifurcationChart>(module, "Chart", &chart_text)
       .def("csv", made<BifurcationChart>(&chart_csv))
       .def("save", saved<BifurcationChart>(&write_chart_file));
   module.def("chart", &draw_chart);

@@ -96,7 +96,7 @@ py::dict explained(const PyStudy& s, const std::optional<std::string>& cost_with
     const double patience = cost_within->empty() ? cost_patience : read_time_limit("within", *cost_within);
     e.cost = Call::run([&] { return measure_cost(s.study, call.options, patience); });
   }
-  return py::dict("text"_a = explain_text(e), "json"_a = explain_json(e), "interrupted"_a = call.interrupted());
+  return py::dict("text"_a = explain_text(e), "json"_a = json_text(e), "interrupted"_a = call.interrupted());
 }
 
 py::dict checked(const PyStudy& s) {

@@ -79,7 +79,7 @@ Kept<Inspection> inspect(const std::string& path) {
 }  // namespace
 
 void bind_sweeps(py::module_& module) {
-  bind_kept<SweepResult>(module, "Sweep", &result_text<SweepResult>, &sweep_json)
+  bind_kept<SweepResult>(module, "Sweep", &result_text<SweepResult>)
       .def("csv", made<SweepResult>(&sweep_csv))
       .def("page", paged<SweepResult>())
       .def("study", [](const Kept<SweepResult>& s) { return PyStudy::of(s.result.study); })
@@ -87,16 +87,16 @@ void bind_sweeps(py::module_& module) {
   module.def("sweep_setting", &sweep_setting);
   module.def("sweep", &run_sweep);
   module.def("merge", &merge);
-  bind_kept<CapacityResult>(module, "Capacity", &result_text<CapacityResult>, &capacity_json)
+  bind_kept<CapacityResult>(module, "Capacity", &result_text<CapacityResult>)
       .def("csv", made<CapacityResult>(&capacity_csv))
       .def("page", paged<CapacityResult>());
   module.def("capacity", &find_capacity);
-  bind_kept<DesignResult>(module, "Design", &result_text<DesignResult>, &design_json)
+  bind_kept<DesignResult>(module, "Design", &result_text<DesignResult>)
       .def("csv", made<DesignResult>(&design_csv))
       .def("page", paged<DesignResult>())
       .def("best", &best_of);
   module.def("design", &find_design);
-  bind_kept<Inspection>(module, "Inspection", &inspection_text, &inspection_json);
+  bind_kept<Inspection>(module, "Inspection", &inspection_text);
   module.def("inspect", &inspect);
 }
 

@@ -68,11 +68,11 @@ void check_transients(const Json& transients, std::vector<std::string>& faults) 
 
 std::vector<std::string> impossible_figures(const BasinResult& result) {
   std::vector<std::string> faults;
-  const std::string json_text = basin_json(result), text = basin_text(result);
+  const std::string object_text = json_text(result), text = basin_text(result);
   for (const char* word : {"nan", "inf ", "-0.0 %", "-0 %"})
     if (text.find(std::string(" ") + word) != std::string::npos)
       faults.push_back(fmt::format("the text holds \"{}\"", word));
-  const Json json = Json::parse(json_text);
+  const Json json = Json::parse(object_text);
   const double starts = json.at("starts");
   double sum = 0.0;
   const auto add = [&](const Json& share, const std::string& name) {
@@ -94,7 +94,7 @@ std::vector<std::string> impossible_figures(const BasinResult& result) {
 
 std::vector<std::string> wrong_units(const BasinResult& dimensionless, const BasinResult& physical) {
   std::vector<std::string> faults;
-  const Json a = Json::parse(basin_json(dimensionless)), b = Json::parse(basin_json(physical));
+  const Json a = Json::parse(json_text(dimensionless)), b = Json::parse(json_text(physical));
   if (!a.contains("transients") || !b.contains("transients")) return {"no transients where they were asked for"};
   const model::Scales& u = *physical.study.scales;
   const std::map<std::string, double> units{

@@ -40,7 +40,7 @@ speed = { points = 1, until = 200.0, range = [0.0, 5.0], slope = 0.05 }
 DesignProblem problem_of(const std::string& toml) { return DesignProblem(StudySource{toml, "study.toml", {}}); }
 
 std::string without_times(const DesignResult& result) {
-  std::istringstream text(design_json(result));
+  std::istringstream text(json_text(result));
   std::string kept;
   for (std::string line; std::getline(text, line);)
     if (line.find("seconds") == line.npos && line.find("\"threads\"") == line.npos &&
@@ -301,7 +301,7 @@ TEST(Design, IsToldOfACandidateThatTheSearchDidNotReach) {
   result.front = {own};
   result.chosen = 0;
   result.partial = true;
-  const std::string json = design_json(result);
+  const std::string json = json_text(result);
   EXPECT_NE(json.find("\"value\": 0.5"), std::string::npos);
   EXPECT_EQ(json.find("on_search_starts"), std::string::npos);
   EXPECT_NE(result_text(result, {}).find("50"), std::string::npos);

@@ -151,7 +151,7 @@ TEST(StandardsOfStarts, LimitsOfTheirFiguresAreCounted) {
     counted["dynamic_force"] += figure(&TransientRow::peak_dynamic_force, i) * s.force() > 60.0;
     counted["settling_time"] += figure(&TransientRow::settling_time, i) * s.time() > 1.0;
   }
-  const auto exceeded = nlohmann::json::parse(basin_json(r))["transients"]["groups"][0]["exceeded"];
+  const auto exceeded = nlohmann::json::parse(json_text(r))["transients"]["groups"][0]["exceeded"];
   for (const auto& [name, count] : counted) {
     EXPECT_EQ(exceeded[name]["count"], count) << name;
     EXPECT_TRUE(0 < count && count < r.starts) << name << " " << count;

@@ -216,15 +216,15 @@ TEST(TiltExplain, SaysWhatHolds) {
   const std::string unknown = explain_text(explained(tilting::long_rotor, {"rotor.tilt.bearings_at=[3, 0, -3]"}));
   EXPECT_EQ(unknown.find("force at the bearings"), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("in which a couple does not show"), std::string::npos) << unknown;
-  EXPECT_NE(explain_json(explained(drum)).find("force_at_bearings"), std::string::npos);
-  EXPECT_NE(explain_json(explained(drum)).find("displacement_at_bearings"), std::string::npos);
+  EXPECT_NE(json_text(explained(drum)).find("force_at_bearings"), std::string::npos);
+  EXPECT_NE(json_text(explained(drum)).find("displacement_at_bearings"), std::string::npos);
 }
 
 // In the front plane, 0.10 m from the centre of mass, is (C + 0.16 m U)/0.26 m = 64.615 + 6.154 i kg mm, over a share
 // of 0.16/0.26, and at the back, (0.10 m U - C)/0.26 m over 0.10/0.26, less: 105.48 kg mm/45 kg at 1200 rpm.
 TEST(TiltExplain, GradesTheWorsePlane) {
   const double grade = std::hypot(16.8, 1.6) / 0.26 / (0.16 / 0.26) / 45.0 * 1200.0 * pi / 30.0;
-  const auto json = nlohmann::json::parse(explain_json(explained(drum)));
+  const auto json = nlohmann::json::parse(json_text(explained(drum)));
   EXPECT_NEAR(json["balance_grade"]["mm_per_s"].get<double>(), grade, 1e-9 * grade);
   EXPECT_EQ(json["balance_grade"]["standard"], 630.0);
   EXPECT_NE(told().find("balance quality"), std::string::npos);

@@ -248,7 +248,7 @@ TEST(Verdict, ComesFirstInTextAndStandsInJson) {
   const BasinResult r = with_numbers(false, {.end = 0.1, .peak = 2.9});
   const std::string text = basin_text(r);
   EXPECT_TRUE(text.starts_with("verdict  Fit it only if more vibration on the way is acceptable:"));
-  EXPECT_EQ(nlohmann::json::parse(basin_json(r))["verdict"]["decision"], "caution");
+  EXPECT_EQ(nlohmann::json::parse(json_text(r))["verdict"]["decision"], "caution");
   EXPECT_TRUE(holds(basin_text(r, {80, false, true}), "\x1b[33mverdict"));
   EXPECT_FALSE(holds(text, "\x1b["));
 }

@@ -243,7 +243,7 @@ TEST(Basin, TellsWhatTheRotorDoesWithoutBalls) {
   const BasinResult again = basin(parse_study(limited, "s"), two_threads);
   EXPECT_EQ(without_balls_json(*again.without_balls, r.study), without_balls_json(*r.without_balls, r.study));
   EXPECT_TRUE(holds(basin_text(r), "No balls: one run. Balls held where they start: median of 256."));
-  const auto json = nlohmann::json::parse(basin_json(r))["without_balls"];
+  const auto json = nlohmann::json::parse(json_text(r))["without_balls"];
   EXPECT_EQ(json["no_balls"]["one_for_all"], true);
   EXPECT_FALSE(json["no_balls"]["figures"]["peak_radial"].contains("mean_low"));
   EXPECT_TRUE(json["balls_held"]["figures"]["peak_radial"].contains("mean_low"));
@@ -254,7 +254,7 @@ TEST(Basin, DoesNotTellItWhereTransientsAreNotAsked) {
   const BasinResult r = basin(parse_study(constant_speed + "[sampling]\nstarts = 20\n", "s"));
   EXPECT_FALSE(r.without_balls);
   EXPECT_FALSE(holds(basin_text(r), "No balls"));
-  EXPECT_FALSE(nlohmann::json::parse(basin_json(r)).contains("without_balls"));
+  EXPECT_FALSE(nlohmann::json::parse(json_text(r)).contains("without_balls"));
 }
 
 TEST(Basin, UncertainRotorsAreBareOneByOne) {

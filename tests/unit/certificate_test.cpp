@@ -114,7 +114,9 @@ TEST(Certificate, ProvesBallsThatRollAndIsNotOneOfBallsThatSlide) {
   for (double speed : {2.4, 5.0}) expect_proved(case_of(rolling, speed));
   Certificate one;
   ASSERT_TRUE(prove(case_of(rolling, 2.4), 0.9, one).proved);
-  EXPECT_TRUE(check_certificate(certificates_from_json(certificates_json({one}), "file").front()).proved);
+  EXPECT_TRUE(
+      check_certificate(certificates_from_json(certificates_json(Certificates{{one}, {}}), "file").states.front())
+          .proved);
   one.parameters.rolls = false;
   EXPECT_FALSE(check_certificate(one).proved);
 }
@@ -303,10 +305,10 @@ TEST(CertificateJson, GivesTheSameBitsBack) {
   std::vector<Certificate> written(2);
   ASSERT_TRUE(prove(case_of(balancer(0.05), 2.4), 0.9, written[0]).proved);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, written[1]).proved);
-  const std::string text = certificates_json(written);
-  const std::vector<Certificate> read = certificates_from_json(text, "file");
+  const std::string text = certificates_json(Certificates{written, {}});
+  const std::vector<Certificate> read = certificates_from_json(text, "file").states;
   ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(certificates_json(read), text);
+  EXPECT_EQ(certificates_json(Certificates{read, {}}), text);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(read[i].form, written[i].form);
     EXPECT_EQ(read[i].frame, written[i].frame);
@@ -325,7 +327,7 @@ TEST(CertificateJson, GivesTheSameBitsBack) {
 TEST(CertificateJson, NamesWhatDoesNotFit) {
   std::vector<Certificate> one(1);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, one[0]).proved);
-  const std::string good = certificates_json(one);
+  const std::string good = certificates_json(Certificates{one, {}});
   const auto complaint = [](const std::string& text) {
     return refusal_text([&] { certificates_from_json(text, "file"); });
   };

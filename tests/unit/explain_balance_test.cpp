@@ -105,7 +105,7 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
   const Explanation many = explained(constant_speed, {"rotor.gravity=0.01", "balancer.balls=4", "balancer.drag=1"});
   EXPECT_EQ(many.motion->less, "without gravity");
   EXPECT_TRUE(holds(explain_text(many), "stable, without gravity; slowest time constant"));
-  const auto json = nlohmann::json::parse(explain_json(many));
+  const auto json = nlohmann::json::parse(json_text(many));
   EXPECT_EQ(json["balanced"]["left_out"], "without gravity");
   const Explanation dry = explained(constant_speed, {"balancer.rolling=0.001"});
   EXPECT_EQ(dry.motion->less, "without dry friction");
@@ -152,7 +152,7 @@ TEST(ExplainedBalance, BallsCancelWhatTheyHaveRoomFor) {
   const Explanation more = explained(crowded_machine, {"rotor.unbalance=6000 g mm"});
   EXPECT_EQ(rule(more, "ball_mass").kept, false);
   EXPECT_FALSE(more.motion.has_value());
-  EXPECT_FALSE(nlohmann::json::parse(explain_json(more))["can_balance"]);
+  EXPECT_FALSE(nlohmann::json::parse(json_text(more))["can_balance"]);
   // The same masses without a size can balance it.
   const std::string& points = constant_machine;
   EXPECT_EQ(verdict_text(explained(points)), "yes");

@@ -139,10 +139,10 @@ TEST(ExplainedMotor, KnowsTheSpeedThatABalancedRotorComesTo) {
 }
 
 TEST(ExplainedMotor, JsonHasTheRunUp) {
-  const auto json = nlohmann::json::parse(explain_json(driven("{stall=0.01, no_load_speed=3.0}")));
+  const auto json = nlohmann::json::parse(json_text(driven("{stall=0.01, no_load_speed=3.0}")));
   EXPECT_GT(json["run_up"]["with_own_unbalance"]["dimensionless"], json["run_up"]["without_losses"]["dimensionless"]);
   EXPECT_TRUE(json["run_up"]["stalls_at"].is_null());
-  EXPECT_TRUE(nlohmann::json::parse(explain_json(explained(constant_speed)))["run_up"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(json_text(explained(constant_speed)))["run_up"].is_null());
   EXPECT_FALSE(holds(explain_text(explained(constant_speed)), "run-up"));
 }
 

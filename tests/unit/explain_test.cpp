@@ -54,7 +54,7 @@ TEST(Explain, ShowsTheSagAndWarnsWhereItExceedsTheClearance) {
   const Explanation e = of(machine, lying);
   EXPECT_NEAR(e.sag * 30.0, 12.12 * 9.81 / 48.0, 1e-12);
   EXPECT_TRUE(holds(explain_text(e), "2.477 mm")) << explain_text(e);
-  const auto json = nlohmann::json::parse(explain_json(e));
+  const auto json = nlohmann::json::parse(json_text(e));
   EXPECT_NEAR(json["static_sag"]["si"], 12.12 * 9.81 / 48000.0, 1e-12);
   EXPECT_NEAR(json["weight"]["si"], 12.12 * 9.81, 1e-9);
   EXPECT_FALSE(holds(explain_text(of(machine)), "sag"));
@@ -98,7 +98,7 @@ TEST(Explain, SaysWhatRollingChanges) {
   EXPECT_NE(rolls.motion->slowest_rate, slides.motion->slowest_rate);
   EXPECT_TRUE(holds(explain_text(rolls), "if the balls slid instead of rolled"));
   EXPECT_FALSE(holds(explain_text(slides), "slid"));
-  EXPECT_EQ(nlohmann::json::parse(explain_json(rolls))["balanced"]["slowest_rate_if_sliding"],
+  EXPECT_EQ(nlohmann::json::parse(json_text(rolls))["balanced"]["slowest_rate_if_sliding"],
             slides.motion->slowest_rate);
   // Strong drag slows a ball by 5/7 beta and more, as far as the rotor, a hundred times heavier, yields.
   const auto fastest = [](const Explanation& e) { return e.motion->eigenvalues.back().real(); };
@@ -179,7 +179,7 @@ TEST(ExplainText, ShowsBothFormsOrTheOneThereIs) {
 }
 
 TEST(ExplainJson, HasEveryFigureInBothForms) {
-  const auto json = nlohmann::json::parse(explain_json(of(machine)));
+  const auto json = nlohmann::json::parse(json_text(of(machine)));
   EXPECT_EQ(json["quantities"][0]["symbol"], "M");
   EXPECT_EQ(json["quantities"][0]["unit"], "kg");
   EXPECT_DOUBLE_EQ(json["critical_speed"][0]["si"].get<double>(), machine_omega_c);
@@ -189,7 +189,7 @@ TEST(ExplainJson, HasEveryFigureInBothForms) {
   EXPECT_NEAR(json["balance_grade"]["mm_per_s"].get<double>(), 41.89, 0.01);
   EXPECT_EQ(json["balance_grade"]["standard"], 100.0);
   EXPECT_EQ(json["study"]["units"]["mass"], 12.0);
-  const auto plain = nlohmann::json::parse(explain_json(of(constant_speed)));
+  const auto plain = nlohmann::json::parse(json_text(of(constant_speed)));
   EXPECT_TRUE(plain["balance_grade"].is_null());
   EXPECT_FALSE(plain["final_speed"].contains("si"));
 }

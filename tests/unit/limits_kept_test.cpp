@@ -105,7 +105,7 @@ TEST(LimitsKept, SharesAreThoseOfTheStartsThatAreKept) {
   EXPECT_TRUE(0 < end && end < 500);
   EXPECT_TRUE(holds(basin_text(r), "within all limits at the end"));
   EXPECT_TRUE(holds(basin_text(r), "Limits: displacement 0.05 R, velocity 0.02 R omega_c, residual 0.01 R."));
-  const auto json = nlohmann::json::parse(basin_json(r))["transients"]["groups"][0];
+  const auto json = nlohmann::json::parse(json_text(r))["transients"]["groups"][0];
   EXPECT_EQ(json["within"]["at_end"]["count"], end);
   EXPECT_EQ(json["exceeded"]["residual"]["count"], residual);
 }

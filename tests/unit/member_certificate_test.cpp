@@ -185,11 +185,11 @@ TEST(MemberCertificate, OfAStudyIsWrittenAndReadBack) {
   EXPECT_NE(certify_text(result).find("nothing is proved of members that were not drawn"), std::string::npos);
   std::vector<MemberCertificate> members;
   for (const MemberProof& m : result.members) members.push_back(m.certificate);
-  const std::string file = certificates_json({}, members);
-  const std::vector<MemberCertificate> read = members_from_json(file, "file");
-  EXPECT_TRUE(certificates_from_json(file, "file").empty());
-  EXPECT_EQ(certificates_json({}, read), file);
-  for (const MemberCertificate& m : read) EXPECT_TRUE(check_member(m).proved);
+  const std::string file = certificates_json(Certificates{{}, members});
+  const Certificates read = certificates_from_json(file, "file");
+  EXPECT_TRUE(read.states.empty());
+  EXPECT_EQ(certificates_json(read), file);
+  for (const MemberCertificate& m : read.members) EXPECT_TRUE(check_member(m).proved);
   const CertifyResult three = certify(parse_study(text, "study", {"balancer.balls=3"}));
   EXPECT_FALSE(three.proved());
   EXPECT_EQ(three.unstable(), 64);

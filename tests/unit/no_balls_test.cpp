@@ -104,7 +104,7 @@ TEST(NoBalls, BasinTellsOfOneRun) {
   EXPECT_TRUE(holds(text, "no balls; rotor: eccentricity 0.01"));
   EXPECT_TRUE(holds(text, "There are no balls: nothing is random, so one run is enough."));
   EXPECT_FALSE(holds(text, "balanced"));
-  const auto json = nlohmann::json::parse(basin_json(r));
+  const auto json = nlohmann::json::parse(json_text(r));
   EXPECT_NEAR(json["without_balls"]["no_balls"]["figures"]["rms_velocity"]["value"].get<double>(),
               2.4 * 0.01 * 5.76 / std::hypot(1.0 - 5.76, 1.2), 1e-8);
   EXPECT_FALSE(json["without_balls"].contains("balls_held"));

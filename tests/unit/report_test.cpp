@@ -175,7 +175,7 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   EXPECT_TRUE(holds(open, "No start diverged or failed while followed (each below 0.38 %).")) << open;
   EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
   EXPECT_FALSE(holds(closed, "bounds"));
-  const auto json = nlohmann::json::parse(basin_json(result_of(constant_speed, 734, 266)));
+  const auto json = nlohmann::json::parse(json_text(result_of(constant_speed, 734, 266)));
   EXPECT_NEAR(json["diverged"]["most"], 0.2942, 1e-4);
   EXPECT_EQ(json["diverged"]["least"], 0.0);
   EXPECT_EQ(json["outcomes"][0]["most"], 1.0);
@@ -265,7 +265,7 @@ TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {
   EXPECT_TRUE(holds(text, "known after, s"));
   EXPECT_TRUE(holds(text, "  0.7906  ")) << text;  // 50/omega_c
   EXPECT_FALSE(holds(text, "times below are in units of"));
-  const auto json = nlohmann::json::parse(basin_json(r));
+  const auto json = nlohmann::json::parse(json_text(r));
   EXPECT_EQ(json["outcomes"][0]["mean_time"], 50.0);
   EXPECT_DOUBLE_EQ(json["outcomes"][0]["mean_time_si"], 50.0 / machine_omega_c);
   EXPECT_EQ(json["units"]["mean_time"], "1/omega_c");
@@ -281,13 +281,13 @@ TEST(AttractorsText, SpeaksOfDecidedStartsOnly) {
   EXPECT_TRUE(holds(text, "1000 starts searched, 34 decided: an attractor with a share above 0.46 of such starts"))
       << text;
   EXPECT_TRUE(holds(text, "96.6 % of all starts stayed undecided")) << text;
-  const auto json = nlohmann::json::parse(attractors_json(r));
+  const auto json = nlohmann::json::parse(json_text(r));
   EXPECT_NEAR(json["detection"]["share"], 0.4564, 1e-4);
   EXPECT_EQ(json["decided"], 34);
   EXPECT_GT(json["detection"]["missing_at_most"], 0.966);
   r.basin = result_of(constant_speed, 0, 1000);
   EXPECT_FALSE(holds(attractors_text(r), "missed with probability"));
-  EXPECT_TRUE(nlohmann::json::parse(attractors_json(r))["detection"]["share"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(json_text(r))["detection"]["share"].is_null());
   r.basin = result_of(constant_speed, 1000, 0);
   EXPECT_FALSE(holds(attractors_text(r), "stayed undecided"));
 }

@@ -146,7 +146,7 @@ TEST(RulesOfThumb, SpeakOfEverySystemOrSayWhyNot) {
       EXPECT_FALSE(r.words.empty()) << r.id;
       for (const auto& f : r.figures) EXPECT_TRUE(std::isfinite(f.value)) << r.id << " " << f.name;
     }
-    const auto json = nlohmann::json::parse(explain_json(e));
+    const auto json = nlohmann::json::parse(json_text(e));
     EXPECT_EQ(json["advice"].size(), rules);
     EXPECT_EQ(json["carried_round"].is_null(), !e.carrying);
     EXPECT_TRUE(holds(explain_text(e), "Rules of thumb: estimates"));
@@ -155,7 +155,7 @@ TEST(RulesOfThumb, SpeakOfEverySystemOrSayWhyNot) {
   EXPECT_TRUE(holds(rule(lying, "settling").words, "without gravity"));
   EXPECT_GT(figure(rule(lying, "settling"), "by linear theory"), 0.0);
   EXPECT_TRUE(holds(rule(explained(machine, systems[7]), "drag").words, "below the critical speed"));
-  const auto json = nlohmann::json::parse(explain_json(explained(machine)));
+  const auto json = nlohmann::json::parse(json_text(explained(machine)));
   EXPECT_EQ(json["advice"][3]["id"], "drag");
   EXPECT_EQ(json["advice"][4]["figures"][0]["unit"], "s");
 }

@@ -330,7 +330,7 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
                       style);
 }
 
-std::string chart_json(const BifurcationChart& chart) {
+std::string json_text(const BifurcationChart& chart) {
   const auto axis = [](const SliceAxis& a) {
     return object("key", a.key, "low", a.low, "high", a.high, "points", a.pixels);
   };

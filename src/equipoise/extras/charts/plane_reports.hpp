@@ -27,7 +27,7 @@ const char* balance_words(BalanceKind kind);
 std::string stability_text(const StabilityPlane& plane, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/reference/commands/stability.md lists the keys.
-std::string stability_json(const StabilityPlane& plane);
+std::string json_text(const StabilityPlane& plane);
 
 /// One line per point: both values, then the numbers of point_numbers.
 std::string stability_csv(const StabilityPlane& plane);
@@ -64,7 +64,7 @@ std::string chart_answer(const BifurcationChart& chart);
 std::string chart_text(const BifurcationChart& chart, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/reference/commands/chart.md lists the keys.
-std::string chart_json(const BifurcationChart& chart);
+std::string json_text(const BifurcationChart& chart);
 
 /// One line per point of a curve.
 std::string chart_csv(const BifurcationChart& chart);

@@ -224,7 +224,7 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
                       style);
 }
 
-std::string stability_json(const StabilityPlane& plane) {
+std::string json_text(const StabilityPlane& plane) {
   Json points;
   for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
     points[balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));

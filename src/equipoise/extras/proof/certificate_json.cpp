@@ -299,36 +299,35 @@ std::string list_text(const std::vector<AnyCertificate>& certificates, const Ent
 
 }  // namespace
 
-std::string certificates_json(const std::vector<Certificate>& certificates,
-                              const std::vector<MemberCertificate>& members) {
+std::string certificates_json(const Certificates& certificates) {
   std::string text = fmt::format("{{\n\"format\": \"{}\",\n\"version\": \"{}\",\n\"certificates\": {}", format_name,
-                                 version_string, list_text(certificates, of_state));
-  if (!members.empty()) text += ",\n\"members\": " + list_text(members, of_member);
+                                 version_string, list_text(certificates.states, of_state));
+  if (!certificates.members.empty()) text += ",\n\"members\": " + list_text(certificates.members, of_member);
   return text + "\n}\n";
 }
 
 std::string certificates_json(const CertifyResult& result) {
-  std::vector<Certificate> certificates;
+  Certificates proved;
   for (const StateProof& state : result.states)
-    if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
-  std::vector<MemberCertificate> members;
+    if (state.certificate.level > 0.0) proved.states.push_back(state.certificate);
   for (const MemberProof& member : result.members)
-    if (member.check.proved) members.push_back(member.certificate);
-  return certificates.empty() && members.empty() ? "" : certificates_json(certificates, members);
+    if (member.check.proved) proved.members.push_back(member.certificate);
+  return proved.states.empty() && proved.members.empty() ? "" : certificates_json(proved);
 }
 
-std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where) {
-  return list_from<Certificate>(file_from(text, where), "certificates", where, of_state);
-}
-
-std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where) {
-  return list_from<MemberCertificate>(file_from(text, where), "members", where, of_member);
+Certificates certificates_from_json(const std::string& text, const std::string& where) {
+  const Json file = file_from(text, where);
+  Certificates certificates;
+  certificates.states = list_from<Certificate>(file, "certificates", where, of_state);
+  certificates.members = list_from<MemberCertificate>(file, "members", where, of_member);
+  return certificates;
 }
 
 CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop) {
   CertificateFile file{where, {}, {}};
-  for (Certificate& c : certificates_from_json(text, where)) file.states.emplace_back().certificate = std::move(c);
-  for (MemberCertificate& c : members_from_json(text, where)) file.members.emplace_back().certificate = std::move(c);
+  Certificates read = certificates_from_json(text, where);
+  for (Certificate& c : read.states) file.states.emplace_back().certificate = std::move(c);
+  for (MemberCertificate& c : read.members) file.members.emplace_back().certificate = std::move(c);
   for (StateProof& s : file.states) s.check = check_certificate(s.certificate, stop);
   for (MemberProof& m : file.members)
     m.check = is_set(stop) ? CertificateResult{false, stopped_before_proof} : check_member(m.certificate);

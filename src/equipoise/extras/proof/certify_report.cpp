@@ -126,7 +126,7 @@ std::string certify_text(const CertifyResult& r, const TextStyle& style) {
                       style);
 }
 
-std::string certify_json(const CertifyResult& r) {
+std::string json_text(const CertifyResult& r) {
   const model::System system = r.study.system();
   const auto state = [&](const StateProof& s) { return state_json(s, system); };
   const auto member = [&](const MemberProof& m) {
@@ -159,7 +159,7 @@ std::string check_text(const CertificateFile& file, const TextStyle& style) {
   return lines_filled(text, style);
 }
 
-std::string check_json(const CertificateFile& file) {
+std::string json_text(const CertificateFile& file) {
   Json json = object("proved", file.proved(), "file", file.path, "certificates", Json::array());
   for (const StateProof& s : file.states) {
     const Certificate& c = s.certificate;

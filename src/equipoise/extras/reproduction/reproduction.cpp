@@ -180,7 +180,7 @@ Json plane_json(const BasinSlice& map) {
 
 Json open_json(const OpenQuestions& open) {
   const auto box = [](const BoxShares& b) {
-    return object("speed", b.speed, "box", Json::parse(basin_json(b.box)), "rest", Json::parse(basin_json(b.rest)));
+    return object("speed", b.speed, "box", Json::parse(json_text(b.box)), "rest", Json::parse(json_text(b.rest)));
   };
   return object("maps", std::array{plane_json(open.eccentricity_and_angle), plane_json(open.eccentricity_and_mass)},
                 "boxes", list_of(open.boxes, box));
@@ -190,7 +190,7 @@ Json open_json(const OpenQuestions& open) {
 
 bool Reproduction::differs() const { return all_cells(*this).differing > 0; }
 
-std::string reproduction_json(const Reproduction& r) {
+std::string json_text(const Reproduction& r) {
   const auto answer = [](const ConclusionResult& c) {
     return object("answer", name_of(c.answer), "differences", c.differences);
   };

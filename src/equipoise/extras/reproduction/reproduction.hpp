@@ -135,7 +135,7 @@ struct Reproduction {
 };
 
 /// One JSON object; docs/reference/commands/reproduce.md lists the keys.
-std::string reproduction_json(const Reproduction& r);
+std::string json_text(const Reproduction& r);
 
 /// What can be reproduced: "table-1" to "table-7", the figures, "future", and "tables", "figures", "all".
 std::vector<std::string> reproducible();

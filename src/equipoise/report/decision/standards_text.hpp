@@ -20,7 +20,7 @@ std::vector<Block> standards_blocks(const BasinResult& result);
 /// that has nothing to report is left out.
 std::vector<std::vector<Block>> balancer_blocks(const BasinResult& result);
 
-/// The object "standards" of basin_json(); null where standards_blocks() is empty.
+/// The object "standards" of json_text(); null where standards_blocks() is empty.
 Json standards_json(const BasinResult& result);
 
 /// The verdict's lines, and every change that was tried, in the study's shown units.

@@ -40,7 +40,7 @@ std::string verdict_text(const Explanation& e);
 std::string explain_text(const Explanation& e, const TextStyle& style = wide_style);
 
 /// JSON.
-std::string explain_json(const Explanation& e);
+std::string json_text(const Explanation& e);
 
 /// What was understood of a study, in a few lines: before anything is computed of it.
 struct StudyCheck {

@@ -228,7 +228,7 @@ std::string explain_text(const Explanation& e, const TextStyle& style) {
   return lines_filled(Text(e, style).all(), style, labels);
 }
 
-std::string explain_json(const Explanation& e) {
+std::string json_text(const Explanation& e) {
   const InBothForms both{e.study.scales};
   const auto unbalance = [&](double value) { return both(value, Dimension::unbalance); };
   const auto rule = [&](const RuleOfThumb& r) {

@@ -165,7 +165,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
   return text + lines_filled(notes, style);
 }
 
-std::string attractors_json(const AttractorsResult& r) {
+std::string json_text(const AttractorsResult& r) {
   const BasinResult& b = r.basin;
   const std::uint64_t decided = decided_starts(r);
   Json json;

@@ -31,7 +31,7 @@ Json chaos_json(const BasinResult& r) {
 
 }  // namespace
 
-std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried) {
+std::string json_text(const BasinResult& r, std::span<const TriedChange> tried) {
   Json json = object("starts", r.starts, "starts_asked", r.asked > 0 ? Json(r.asked) : Json(), "partial", r.partial,
                      "sampling", sampling_json(r));
   const auto share = [&](const Share& s) {

@@ -153,7 +153,7 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   return text + lines_filled(notes, style);
 }
 
-std::string branches_json(const BranchesResult& r) {
+std::string json_text(const BranchesResult& r) {
   Json branches = Json::array(), events = Json::array();
   for (const Branch& b : r.branches) {
     const auto ranges = ranges_of(b);

@@ -133,7 +133,7 @@ Document document_of(const CapacityResult& r) {
   return document;
 }
 
-std::string capacity_json(const CapacityResult& r) {
+std::string json_text(const CapacityResult& r) {
   Json cells = Json::array(), open_cells = Json::array();
   const auto trial = [](const CapacityTrial& t) {
     Json one = object("value", t.value);

@@ -95,7 +95,7 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
 }
 
-std::string comparison_json(const ComparisonResult& r) {
+std::string json_text(const ComparisonResult& r) {
   Json json;
   json["differences"] = list_of(r.shares, [](const ComparedShare& s) {
     Json one = object("name", s.name, "alias", s.alias);

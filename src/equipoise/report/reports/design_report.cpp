@@ -241,7 +241,7 @@ Document document_of(const DesignResult& r) {
   return document;
 }
 
-std::string design_json(const DesignResult& r) {
+std::string json_text(const DesignResult& r) {
   const DesignVerdict verdict = design_verdict(r);
   const auto candidate = [&](const DesignCandidate& c) { return candidate_json(r, c); };
   Json json = object("verdict", object("words", verdict.words, "because", verdict.because, "margins", verdict.margins),

@@ -25,7 +25,7 @@ std::string inspection_text(const Inspection& i) {
   return text;
 }
 
-std::string inspection_json(const Inspection& i) {
+std::string json_text(const Inspection& i) {
   const Json json = object(
       "path", i.path, "kind", i.kind, "version", i.version, "bytes", i.bytes, "damage", i.damage, "complete",
       i.complete, "facts",

@@ -153,7 +153,7 @@ void to_json(Json& json, const SliceAxis& axis) {
   json = object("key", axis.key, "values", values);
 }
 
-std::string map_json(const BasinSlice& map) {
+std::string json_text(const BasinSlice& map) {
   const SliceFigures& f = map.figures;
   const auto tie = [](const AngleLink& link) {
     return object("ball", link.ball, "of", link.of, "offset", link.offset);

@@ -26,42 +26,42 @@ std::string basin_text(const BasinResult& result, const TextStyle& style = wide_
                        std::span<const TriedChange> tried = {});
 /// The page for one machine: the same with drawings, the changes that were tried, the machine and the study in full.
 std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried = {});
-std::string basin_json(const BasinResult& result, std::span<const TriedChange> tried = {});
+std::string json_text(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 std::string attractors_text(const AttractorsResult& result, const TextStyle& style = wide_style);
-std::string attractors_json(const AttractorsResult& result);
+std::string json_text(const AttractorsResult& result);
 
 /// CSV: one line per value and branch, after comment lines with the study and the version.
 std::string branches_text(const BranchesResult& result, const TextStyle& style = wide_style);
-std::string branches_json(const BranchesResult& result);
+std::string json_text(const BranchesResult& result);
 std::string branches_csv(const BranchesResult& result);
 
 /// The cells with the largest and the smallest share, then one line per cell. CSV: one line per cell and outcome.
 Document document_of(const SweepResult& result);
-std::string sweep_json(const SweepResult& result);
+std::string json_text(const SweepResult& result);
 std::string sweep_csv(const SweepResult& result);
 
 /// One line per cell, also for those that a stopped run left open.
 Document document_of(const CapacityResult& result);
 DocumentTable capacity_table(const CapacityResult& result);
-std::string capacity_json(const CapacityResult& result);
+std::string json_text(const CapacityResult& result);
 std::string capacity_csv(const CapacityResult& result);
 
 Document document_of(const BasinSlice& map);
-std::string map_json(const BasinSlice& map);
+std::string json_text(const BasinSlice& map);
 
 /// Shares, differences, changes and a verdict, which is the difference in balanced starts in one sentence.
 std::string comparison_text(const ComparisonResult& result, const TextStyle& style = wide_style);
-std::string comparison_json(const ComparisonResult& result);
+std::string json_text(const ComparisonResult& result);
 std::string verdict(const ComparisonResult& result);
 
 /// The front, the chosen design next to the original study, its margins, what limits it. JSON: figures are in the units
 /// of "units", shares are fractions of one, infinite values are null. CSV: one line per member of the front.
 Document document_of(const DesignResult& result);
-std::string design_json(const DesignResult& result);
+std::string json_text(const DesignResult& result);
 std::string design_csv(const DesignResult& result);
 
 std::string inspection_text(const Inspection& inspection);
-std::string inspection_json(const Inspection& inspection);
+std::string json_text(const Inspection& inspection);
 
 }  // namespace equipoise

@@ -278,7 +278,7 @@ Document document_of(const SweepResult& r) {
   return document;
 }
 
-std::string sweep_json(const SweepResult& r) {
+std::string json_text(const SweepResult& r) {
   Json cells = Json::array();
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) { cells.push_back(cell_json(r, index, cell)); });
   Json json = object("over", over_json(r.axes), "zipped", r.axes.size() == 1 && r.axes.front().parameters.size() > 1,

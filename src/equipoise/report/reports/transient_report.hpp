@@ -31,7 +31,7 @@ DocumentTable bare_table(const BasinResult& result);
 std::string bare_words(const BasinResult& result);
 /// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
-/// The object "without_balls" of basin_json(), in the units of transient_json().
+/// The object "without_balls" of json_text(), in the units of transient_json().
 Json without_balls_json(const WithoutBalls& without, const Study& study);
 
 /// Starts within all limits, and how many hit the housing; none if no limit is stated.
@@ -39,7 +39,7 @@ std::vector<Block> limits_blocks(const TransientGroup& group, const Study& study
 /// Of a study with limits.clearance: how many starts hit the housing. Else empty.
 std::string clearance_words(const TransientGroup& group, const Study& study);
 
-/// The object "transients" of basin_json(), in the same units, which it names.
+/// The object "transients" of json_text(), in the same units, which it names.
 Json transient_json(const TransientResult& result, const Study& study);
 
 /// Shares of starts by the name of the limit that they exceed, or of the limits that they are within, each as `told`
