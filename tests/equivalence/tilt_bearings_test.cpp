@@ -11,7 +11,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/machine/model/bearings.hpp"
 #include "equipoise/report/reports/reports.hpp"
-#include "equipoise/results/columns/watched_shaft.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {

@@ -12,7 +12,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
-#include "equipoise/results/result_files/basin_netcdf.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 
@@ -88,7 +88,8 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, result};
   if (result.transients) end.all = result.transients->groups.front();
   end.without_balls = result.without_balls;
-  io::write_basin_netcdf(place, {end, header, result.starts, values, result.discoveries, {result.cpu_target}});
+  io::write_netcdf_file(
+      place, io::basin_dataset({end, header, result.starts, values, result.discoveries, {result.cpu_target}}));
 }
 
 }  // namespace equipoise

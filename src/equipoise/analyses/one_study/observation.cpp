@@ -11,7 +11,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/results/columns/watched_shaft.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

@@ -7,7 +7,6 @@
 
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/columns/watched_shaft.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {

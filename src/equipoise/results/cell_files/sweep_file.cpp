@@ -13,7 +13,6 @@
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/result_files/share_columns.hpp"
 
 namespace equipoise {
 
@@ -53,7 +52,7 @@ class SweepColumns {
     column("balanced_stable", "1", "1: a linearly stable balanced state exists",
            [](const SweepCell& c, std::size_t) { return c.balanced_stable; });
     of_shares("count", "starts with the outcome", [](const Share& s) { return s.count; });
-    for (const io::ShareColumn& c : io::share_columns)
+    for (const ShareColumn& c : share_columns)
       of_shares(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
     for (const MotionColumn& c : motion_columns) {
       if (&c == &motion_columns.back()) add_left_unbalance();

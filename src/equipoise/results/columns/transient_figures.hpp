@@ -57,6 +57,11 @@ struct TransientFigure : Column {
     return dimension == study::Dimension::unbalance ? study::Dimension::length : *dimension;
   }
 };
+/// Where along its shaft a tilting rotor is watched. Forces are told of each bearing if each is known and there are no
+/// other supports (Study::each_bearing()). They are those of all supports together if a machine stands on feet, which
+/// slide by that sum, and if starts draw what could make the supports others than these bearings.
+WatchedShaft watched_shaft(const Study& study);
+
 /// Whether bearing forces differ by the weight, and velocities in X from those in Y.
 bool weighs(const Study& study);
 bool has_directions(const Study& study);

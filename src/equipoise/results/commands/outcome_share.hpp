@@ -31,6 +31,23 @@ struct OutcomeShare {
 };
 inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
 
+/// The numbers of a share in files: one line each, for ensembles and for cells of sweeps.
+struct ShareColumn {
+  const char* name;  ///< a sweep's variable; an ensemble's has "kind_" before it
+  double Share::*value;
+  const char* of_ensemble;  ///< long_name
+  const char* of_cell;
+};
+inline constexpr std::array<ShareColumn, 5> share_columns{{
+    {"share", &Share::share, "share of the starts with the outcome", "share of the starts"},
+    {"share_low", &Share::low, "lower end of the 95 % interval of the share", "lower end of its 95 % interval"},
+    {"share_high", &Share::high, "upper end of the 95 % interval of the share", "upper end of its 95 % interval"},
+    {"share_least", &Share::least, "lower bound of the share whatever undecided starts would come to",
+     "lower bound whatever undecided starts come to"},
+    {"share_most", &Share::most, "upper bound of the share whatever undecided starts would come to",
+     "upper bound whatever undecided starts come to"},
+}};
+
 /// A number of every attractor in an ensemble, in addition to its share. A line here reaches the table of outcomes, on
 /// terminals and pages, JSON, files and Python.
 struct OutcomeNumber : Column {

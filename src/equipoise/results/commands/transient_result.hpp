@@ -10,7 +10,6 @@
 #include "equipoise/core/statistics/quantile.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/columns/watched_shaft.hpp"
 
 namespace equipoise {
 

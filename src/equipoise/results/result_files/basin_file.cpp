@@ -10,10 +10,8 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/results/result_files/basin_netcdf.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/result_files/share_columns.hpp"
 
 namespace equipoise {
 
@@ -109,7 +107,7 @@ std::vector<OutcomeShare> BasinFile::summary() const {
     lines[k].share = wilson_share(static_cast<std::uint64_t>(count), finished());
   }
   if (header_.method == SamplingMethod::random) return lines;
-  for (const io::ShareColumn& c : io::share_columns) {
+  for (const ShareColumn& c : share_columns) {
     const std::vector<double> values = get(c.name, Type::real);
     for (std::size_t k = 0; k < lines.size(); ++k) lines[k].share.*c.value = values[k];
   }
@@ -153,7 +151,7 @@ void BasinFile::finish(const BasinEnd& end) {
   io::BasinContents contents{end, header_, stored_, values, discoveries(), cpu_targets_};
   contents.time = {time_.seconds + end.time.seconds, time_.cpu_seconds + end.time.cpu_seconds};
   const Rest rest = behind_.empty() && end.complete ? Rest::nothing : behind_.empty() ? Rest::notes : Rest::all;
-  Store::finish([&](const std::string& place) { io::write_basin_netcdf(place, contents); }, rest);
+  Store::finish([&](const std::string& place) { io::write_netcdf_file(place, io::basin_dataset(contents)); }, rest);
 }
 
 }  // namespace equipoise

@@ -2,8 +2,9 @@
 // This room: files of single results.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -12,7 +13,7 @@
 
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/machine/datasheet/scales.hpp"
-#include "equipoise/results/columns/transient_figures.hpp"
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
 #include "equipoise/results/io/row_store.hpp"
@@ -106,4 +107,18 @@ class BasinFile : public io::RowStore {
   RunTime time_;
 };
 
+namespace io {
+
+/// The content of such a file.
+struct BasinContents : BasinEnd {
+  const BasinFileHeader& header;
+  std::uint64_t starts = 0;                               ///< 1 or more
+  std::function<DataValues(std::size_t column)> columns;  ///< their values (start_columns.hpp)
+  std::vector<std::vector<double>> discoveries;
+  std::vector<std::string> cpu_targets;
+};
+/// Refers to the argument.
+Dataset basin_dataset(const BasinContents& contents);
+
+}  // namespace io
 }  // namespace equipoise

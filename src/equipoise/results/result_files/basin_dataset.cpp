@@ -1,7 +1,8 @@
 // Dimensions, columns and attributes of an ensemble's results.
-#include "equipoise/results/result_files/basin_netcdf.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <map>
@@ -10,10 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/result_files/share_columns.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 
@@ -212,7 +211,7 @@ void add_one_bodies(Dataset& data, const WithoutBalls& without) {
 
 }  // namespace
 
-void write_basin_netcdf(const std::string& path, const BasinContents& contents) {
+Dataset basin_dataset(const BasinContents& contents) {
   Dataset data("Basins of a rotor with an automatic ball balancer");
   data.filled = false;
   add_starts(data, contents);
@@ -222,7 +221,7 @@ void write_basin_netcdf(const std::string& path, const BasinContents& contents) 
   if (contents.header.transients) say_transients(data, contents);
   if (contents.all) add_within(data, *contents.all);
   if (contents.without_balls) add_one_bodies(data, *contents.without_balls);
-  write_netcdf_file(path, data);
+  return data;
 }
 
 }  // namespace equipoise::io
