@@ -28,18 +28,6 @@ namespace equipoise::web {
 
 namespace {
 
-Fate fate_of(int code, double speed) {
-  Fate fate;
-  fate.mean_speed = static_cast<float>(speed);
-  if (code > 0) {
-    fate.outcome = Outcome::attracted;
-    fate.attractor = static_cast<short>(code);
-  }
-  for (const NoAttractor& n : no_attractors)
-    if (n.code == code) fate.outcome = n.outcome;
-  return fate;
-}
-
 std::vector<OneBodyRun> rows_of(const Json& told) {
   const auto outcome = numbers_of<std::int32_t>(told.at("outcome"));
   const auto speed = numbers_of<double>(told.at("speed")), figures = numbers_of<double>(told.at("figures"));
@@ -49,7 +37,8 @@ std::vector<OneBodyRun> rows_of(const Json& told) {
                      fmt::format("must be {} a start, of {} starts", columns, outcome.size()));
   std::vector<OneBodyRun> rows(outcome.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].fate = fate_of(outcome[i], speed[i]);
+    rows[i].fate = fate_of(static_cast<short>(outcome[i])).value_or(Fate{});
+    rows[i].fate.mean_speed = static_cast<float>(speed[i]);
     for (std::size_t k = 0; k < columns; ++k)
       rows[i].row.*transient_figures[k].value = static_cast<float>(figures[i * columns + k]);
   }

@@ -1,7 +1,6 @@
 // Every start of an ensemble in arrays: the content of basin()'s NetCDF file, without the file.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,19 +45,14 @@ struct StartArrays {
 
 /// What became of a start; empty if its numbers are those of no outcome.
 inline std::optional<Fate> fate_of(const StartArrays& starts, std::size_t i) {
-  const short code = starts.outcome[i];
+  std::optional<Fate> fate = fate_of(starts.outcome[i]);
   const signed char by = starts.decided_by[i];
-  const auto none =
-      std::find_if(no_attractors.begin(), no_attractors.end(), [&](const auto& n) { return n.code == code; });
-  if ((code <= 0 && none == no_attractors.end()) || by < 0 || by >= decided_by_count) return std::nullopt;
-  Fate fate;
-  fate.outcome = code > 0 ? Outcome::attracted : none->outcome;
-  fate.attractor = std::max<short>(code, 0);
-  fate.by = static_cast<DecidedBy>(by);
-  fate.time = starts.decision_time[i];
-  if (!starts.mean_speed.empty()) fate.mean_speed = starts.mean_speed[i];
-  if (!starts.left_unbalance.empty()) fate.unbalance = starts.left_unbalance[i];
-  if (!starts.balls_met.empty()) fate.met = starts.balls_met[i] != 0;
+  if (!fate || by < 0 || by >= decided_by_count) return std::nullopt;
+  fate->by = static_cast<DecidedBy>(by);
+  fate->time = starts.decision_time[i];
+  if (!starts.mean_speed.empty()) fate->mean_speed = starts.mean_speed[i];
+  if (!starts.left_unbalance.empty()) fate->unbalance = starts.left_unbalance[i];
+  if (!starts.balls_met.empty()) fate->met = starts.balls_met[i] != 0;
   return fate;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace equipoise {
 
@@ -81,6 +82,20 @@ struct Fate {
 /// The attractor's identifier, or the code of another outcome.
 inline short code_of(const Fate& fate) {
   return fate.outcome == Outcome::attracted ? fate.attractor : told_of(fate.outcome).code;
+}
+/// A fate with this code; empty if no outcome has it.
+inline std::optional<Fate> fate_of(short code) {
+  Fate fate;
+  if (code > 0) {
+    fate.outcome = Outcome::attracted;
+    fate.attractor = code;
+    return fate;
+  }
+  for (const NoAttractor& n : no_attractors) {
+    fate.outcome = n.outcome;
+    if (n.code == code) return fate;
+  }
+  return std::nullopt;
 }
 
 }  // namespace equipoise
