@@ -56,15 +56,15 @@ BasinSlice computed(const Study& study, const BasinSliceSettings& how) { return 
 
 // They refer to the result and the source.
 FormMakers forms_of(const StabilityPlane& plane, const StudySource&) {
-  return {[&] { return stability_text(plane, text_style()); },
-          [&] { return json_text(plane); },
+  return {[&] { return result_text(plane, text_style()); },
+          [&] { return stability_json(plane); },
           [&] { return stability_csv(plane); },
           [&] { return stability_plot(plane, file_title(plane.study)); },
           {}};
 }
 FormMakers forms_of(const BifurcationChart& chart, const StudySource&) {
-  return {[&] { return chart_text(chart, text_style()); },
-          [&] { return json_text(chart); },
+  return {[&] { return result_text(chart, text_style()); },
+          [&] { return chart_json(chart); },
           [&] { return chart_csv(chart); },
           [&] { return chart_plot(chart, file_title(chart.plane.study)); },
           {}};

@@ -185,17 +185,17 @@ TEST(Branches, RangeThatWasNotFollowedToItsEndSaysSo) {
   b.events.push_back({2, BranchChange::last_seen, BranchCause::unresolved, 2.0625, 2.065625, 0.0, 0.1, 0.2});
   result.branches.push_back(b);
   EXPECT_EQ(ranges_of(b).back().end, 2.0625);
-  const auto has = [&](const char* words) { return branches_text(result).find(words) != std::string::npos; };
-  EXPECT_TRUE(has("seen from 2 to 2.062, not followed further above ")) << branches_text(result);
-  EXPECT_TRUE(has("2.0625 and 2.0657 ")) << branches_text(result);  // two digits between the bounds
+  const auto has = [&](const char* words) { return result_text(result).find(words) != std::string::npos; };
+  EXPECT_TRUE(has("seen from 2 to 2.062, not followed further above ")) << result_text(result);
+  EXPECT_TRUE(has("2.0625 and 2.0657 ")) << result_text(result);  // two digits between the bounds
   result.branches[0].events[0].change = BranchChange::death;
   result.branches[0].events[0].cause = BranchCause::fold;
-  EXPECT_TRUE(has("  2 to 2.064 ")) << branches_text(result);
-  EXPECT_FALSE(has("not followed")) << branches_text(result);
+  EXPECT_TRUE(has("  2 to 2.064 ")) << result_text(result);
+  EXPECT_FALSE(has("not followed")) << result_text(result);
   result.branches[0].events.clear();  // of a stopped run
-  EXPECT_TRUE(has("seen from 2 to 2.05, not followed further above ")) << branches_text(result);
+  EXPECT_TRUE(has("seen from 2 to 2.05, not followed further above ")) << result_text(result);
   result.branches[0].points.push_back({2, 2.1, motion});
-  EXPECT_FALSE(has("not followed")) << branches_text(result);
+  EXPECT_FALSE(has("not followed")) << result_text(result);
 }
 
 // A motion stable at two neighbouring values need not be stable between them.
@@ -254,7 +254,7 @@ TEST(Branches, TorusThatBecomesPeriodicIsFollowedToItsFold) {
   const Branch* b = branch(result, 6);
   ASSERT_TRUE(b);
   const BranchEvent *kind = event(*b, BranchChange::kind), *death = event(*b, BranchChange::death);
-  ASSERT_TRUE(kind && death) << branches_text(result);
+  ASSERT_TRUE(kind && death) << result_text(result);
   EXPECT_EQ(kind->cause, BranchCause::to_periodic);
   EXPECT_NEAR(kind->middle(), 1.8145, 1.5e-3);  // bracketed to 1/16 of the step
   EXPECT_EQ(death->cause, BranchCause::fold);

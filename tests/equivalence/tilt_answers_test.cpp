@@ -78,14 +78,14 @@ TEST(TiltEquilibria, WithAFreeAngleAreOneContinuum) {
   AttractorsOptions options;
   options.starts = 60;
   const AttractorsResult result = attractors(s, options);
-  ASSERT_EQ(result.attractors.size(), 1u) << attractors_text(result);
+  ASSERT_EQ(result.attractors.size(), 1u) << result_text(result);
   const Attractor& a = result.attractors.front();
   EXPECT_EQ(a.name, "locked (2 together)");
   ASSERT_TRUE(a.continuum);
   EXPECT_EQ(a.continuum->drawn, 256);
   EXPECT_EQ(a.continuum->stable, 256);
   EXPECT_LT(a.continuum->slowest_rate, 0.0);
-  EXPECT_NE(attractors_text(result).find("of the continuum"), std::string::npos);
+  EXPECT_NE(result_text(result).find("of the continuum"), std::string::npos);
   // One zero, all other eigenvalues within the range; another member rests as well.
   Eigen::VectorXcd fixed = fixed_eigenvalues(system, a.motion.state);
   std::sort(fixed.begin(), fixed.end(), [](Complex p, Complex q) { return std::abs(p) < std::abs(q); });

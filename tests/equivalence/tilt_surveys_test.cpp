@@ -73,7 +73,7 @@ TEST(TiltStability, IsThatOfFixedAxes) {
     }
     EXPECT_GT(stable, 3);
     EXPECT_GT(unstable, 3);
-    EXPECT_EQ(stability_text(plane, {}).find("continuum"), std::string::npos);
+    EXPECT_EQ(result_text(plane, {}).find("continuum"), std::string::npos);
   }
 }
 
@@ -95,7 +95,7 @@ TEST(TiltStability, SaysWhichStatesFormAContinuum) {
   const std::vector<std::string> six{"balancer.balls=6", "balancer.plane=[2, 2, 2, -2, -2, -2]",
                                      "initial.phi=[0, 1, 2, 3, 4, 5]"};
   const StabilityPlane plane = stability(study(six), settings);
-  EXPECT_NE(stability_text(plane, {}).find("form a continuum"), std::string::npos);
+  EXPECT_NE(result_text(plane, {}).find("form a continuum"), std::string::npos);
   EXPECT_EQ(balance_margin(plane.study.parameters), plane.points.front().margin);
   EXPECT_TRUE(std::isfinite(plane.points.front().growth));
 }
@@ -307,7 +307,7 @@ TEST(TiltCharts, HaveThePublishedBifurcations) {
   EXPECT_NEAR(nearest->x, 3.3869559, 2e-3);
   EXPECT_NEAR(nearest->frequency, 0.888898, 1e-3);
   EXPECT_LT(nearest->lyapunov, 0.0);
-  EXPECT_NE(chart_text(chart, {}).find("all balls of one plane stand in line"), std::string::npos);
+  EXPECT_NE(result_text(chart, {}).find("all balls of one plane stand in line"), std::string::npos);
   for (const BalanceBoundary& b : chart.plane.own->boundaries)
     if (!b.along_x && !b.upwards) {
       EXPECT_EQ(b.change, BalanceBoundary::Change::existence);

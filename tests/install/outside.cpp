@@ -136,7 +136,7 @@ void motions(const equipoise::Study& study) {
   const equipoise::BranchesResult branches = equipoise::follow_attractors(study, line, following);
   expect(reports >= 2 && branches.branches.size() >= 2 && branches.branches.front().points.size() == 2,
          "attractors are followed along a parameter");
-  std::printf("%s", equipoise::branches_text(branches).c_str());
+  std::printf("%s", equipoise::result_text(branches).c_str());
 
   const equipoise::StopFlag stop{true};
   equipoise::RunOptions stopped;

@@ -451,27 +451,27 @@ TEST(Chart, SaysWhyNothingIsProved) {
   const Study four = parse_study(with(constant_speed, "balls = 2\nmass = 0.05", "balls = 4\nmass = 0.02"), "rotor");
   const BifurcationChart chart = bifurcation_chart(four, settings);
   EXPECT_TRUE(chart.boxes.empty());
-  EXPECT_TRUE(holds(chart_text(chart), "Nothing is proved: proofs are of two balls"));
+  EXPECT_TRUE(holds(result_text(chart), "Nothing is proved: proofs are of two balls"));
   const bool lost = balance_loss(chart).unknown > 0.0;
   EXPECT_EQ(lost, holds(chart_answer(chart), "states that form a continuum")) << chart_answer(chart);
-  EXPECT_FALSE(holds(chart_text(wide_chart()), "Nothing is proved"));
+  EXPECT_FALSE(holds(result_text(wide_chart()), "Nothing is proved"));
   const Study machine = parse_study(constant_machine, "machine");
   ChartSettings by_unbalance = over_speed_and_drag(1.0, 4.0, 0.001, 0.01, 6, 1000);
   by_unbalance.y.key = "rotor.eccentricity";
-  EXPECT_TRUE(holds(chart_text(bifurcation_chart(machine, by_unbalance)), "Nothing is proved") ||
+  EXPECT_TRUE(holds(result_text(bifurcation_chart(machine, by_unbalance)), "Nothing is proved") ||
               !bifurcation_chart(machine, by_unbalance).boxes.empty());
 }
 
 TEST(Chart, SaysWhichCurvesEndInsideThePlaneForNoReason) {
   BifurcationChart chart = wide_chart();
-  EXPECT_FALSE(holds(chart_text(chart), "end inside the plane"));
+  EXPECT_FALSE(holds(result_text(chart), "end inside the plane"));
   chart.curves[1].ends[0] = CurveEnd::lost;
-  EXPECT_TRUE(holds(chart_text(chart), "because no next point was found, by number: 2."));
+  EXPECT_TRUE(holds(result_text(chart), "because no next point was found, by number: 2."));
 }
 
 TEST(Chart, SaysWhetherMoreBoxesWouldDecideMore) {
   const auto text = [](std::uint64_t boxes) {
-    return chart_text(bifurcation_chart(chart_rotor(2.4, 0.05), over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, boxes)));
+    return result_text(bifurcation_chart(chart_rotor(2.4, 0.05), over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, boxes)));
   };
   EXPECT_TRUE(holds(text(50), "More boxes"));
   EXPECT_FALSE(holds(text(100000), "More boxes"));
@@ -482,9 +482,9 @@ TEST(Chart, SaysWhatLinearTheoryLeavesOut) {
   const ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, 100);
   const Study sticky = parse_study(with(constant_speed, "balls = 2", "balls = 2\nstiction = 0.001"), "rotor");
   const BifurcationChart chart = bifurcation_chart(sticky, settings);
-  EXPECT_TRUE(holds(chart_text(chart), "At all points dry friction is left out."));
-  EXPECT_TRUE(holds(chart_text(chart), "Nothing is proved"));
-  EXPECT_FALSE(holds(chart_text(wide_chart()), "left out"));
+  EXPECT_TRUE(holds(result_text(chart), "At all points dry friction is left out."));
+  EXPECT_TRUE(holds(result_text(chart), "Nothing is proved"));
+  EXPECT_FALSE(holds(result_text(wide_chart()), "left out"));
 }
 
 TEST(Chart, RotorsWithoutCurvesAreRefused) {
@@ -500,7 +500,7 @@ TEST(Chart, AStoppedChartIsPartialAndThreadsMakeNoDifference) {
   ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 12, 2000);
   settings.stop = &stop;
   const BifurcationChart stopped = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
-  EXPECT_TRUE(holds(chart_text(stopped), "PARTIAL"));
+  EXPECT_TRUE(holds(result_text(stopped), "PARTIAL"));
   EXPECT_TRUE(chart_csv(stopped).starts_with("# equipoise ")) << chart_csv(stopped);
   EXPECT_TRUE(holds(chart_csv(stopped), ", PARTIAL: stopped early\ncurve,kind"));
   EXPECT_TRUE(holds(chart_plot(stopped, "rotor"), "PARTIAL: stopped early"));
@@ -509,7 +509,7 @@ TEST(Chart, AStoppedChartIsPartialAndThreadsMakeNoDifference) {
   const BifurcationChart one = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
   settings.threads = 3;
   const BifurcationChart three = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
-  EXPECT_FALSE(holds(chart_text(one) + chart_csv(one) + chart_plot(one, "rotor"), "PARTIAL"));
+  EXPECT_FALSE(holds(result_text(one) + chart_csv(one) + chart_plot(one, "rotor"), "PARTIAL"));
   EXPECT_EQ(chart_csv(one), chart_csv(three));
   EXPECT_EQ(chart_answer(one), chart_answer(three));
 }

@@ -101,7 +101,7 @@ TEST(Comparison, IsDecidedByLimitsWhereBothStateThem) {
   EXPECT_TRUE(verdict(r).starts_with("The second keeps every limit less often, by -41.0")) << verdict(r);
   EXPECT_TRUE(verdict(compare(second, first)).starts_with("The second keeps every limit more often, by +41.0"));
   EXPECT_TRUE(verdict(compare(first, first)).starts_with("No difference in starts within all limits is shown"));
-  EXPECT_NE(comparison_text(r).find("starts within all limits"), std::string::npos);
+  EXPECT_NE(result_text(r).find("starts within all limits"), std::string::npos);
   // Undecided starts may still come below it.
   for (std::size_t i = 0; i < 410; ++i) second.outcome[i] = undecided_code;
   const ComparisonResult open = compare(first, second);
@@ -144,7 +144,7 @@ TEST(Comparison, OfNothingSaysSo) {
   auto [first, second] = pair();
   second.outcome.clear();
   EXPECT_NE(verdict(compare(first, second)).find("nothing to compare"), std::string::npos);
-  EXPECT_EQ(comparison_text(compare(first, second)).find("common starts end"), std::string::npos);
+  EXPECT_EQ(result_text(compare(first, second)).find("common starts end"), std::string::npos);
 }
 
 TEST(Comparison, RefusesGrids) {
@@ -177,13 +177,13 @@ TEST(ComparedFigures, ArePairsOfCommonStarts) {
   const ComparedFigure apart = compare(before, after).figures.front();
   // Independent: deviations of 28.9 each.
   EXPECT_NEAR(apart.mean.high - apart.mean.low, 2.0 * 1.961 * 28.9 * std::sqrt(2.0 / 1000.0), 0.02);
-  EXPECT_TRUE(holds(comparison_text(r), "second - first"));
+  EXPECT_TRUE(holds(result_text(r), "second - first"));
 }
 
 TEST(ComparedFigures, NeedTransientsAndOneUnit) {
   auto [before, after] = pair();
   EXPECT_TRUE(compare(before, after).figures.empty());
-  EXPECT_FALSE(holds(comparison_text(compare(before, after)), "second - first"));
+  EXPECT_FALSE(holds(result_text(compare(before, after)), "second - first"));
   before.transients[0].assign(1000, 1.0f);
   after.transients[0].assign(1000, 2.0f);
   after.study.scales = model::Scales{2.0, 0.1, 50.0};

@@ -217,15 +217,15 @@ TEST(ContinuumPlane, OfTwoBallsSaysNothingOfAContinuum) {
   const StabilityPlane plane =
       small_plane(charted_rotor(), {"speed.final", 1.0, 2.5, 4}, {"rotor.eccentricity", 0.005, 0.05, 4});
   EXPECT_FALSE(plane.own->continuum);
-  EXPECT_FALSE(holds(stability_text(plane), "continuum")) << stability_text(plane);
-  EXPECT_TRUE(nlohmann::json::parse(json_text(plane))["own"]["continuum"].is_null());
+  EXPECT_FALSE(holds(result_text(plane), "continuum")) << result_text(plane);
+  EXPECT_TRUE(nlohmann::json::parse(stability_json(plane))["own"]["continuum"].is_null());
 }
 
 TEST(ContinuumPlane, AChartSaysIt) {
   const BifurcationChart chart = over_unbalance(unlike_balls("[0.04, 0.05, 0.06]", 0.2));
   EXPECT_TRUE(holds(chart_answer(chart), "balance with the balls spread evenly, one state of a continuum, is"));
-  EXPECT_TRUE(holds(chart_text(chart), "inscribed"));
-  EXPECT_EQ(nlohmann::json::parse(json_text(chart))["one_of_many"], true);
+  EXPECT_TRUE(holds(result_text(chart), "inscribed"));
+  EXPECT_EQ(nlohmann::json::parse(chart_json(chart))["one_of_many"], true);
   EXPECT_TRUE(holds(chart_plot(chart, "rotor"), "balls spread evenly"));
 }
 
@@ -261,15 +261,15 @@ speed = 2.369
   EXPECT_EQ(balance_at(study).kind, BalanceKind::stable);
   const SliceAxis speed{"speed.final", 2.0, 3.0, 3}, drag{"balancer.drag", 0.1, 0.3, 3};
   const StabilityPlane plane = small_plane(study, speed, drag);
-  EXPECT_TRUE(holds(stability_text(plane), "the most stable state at each point"));
-  EXPECT_EQ(nlohmann::json::parse(json_text(plane))["of_several"], true);
+  EXPECT_TRUE(holds(result_text(plane), "the most stable state at each point"));
+  EXPECT_EQ(nlohmann::json::parse(stability_json(plane))["of_several"], true);
   const Study alike = parse_study(text, "rotor", {"balancer.mass=0.007"});
-  EXPECT_FALSE(holds(stability_text(small_plane(alike, speed, drag)), "most stable"));
+  EXPECT_FALSE(holds(result_text(small_plane(alike, speed, drag)), "most stable"));
 }
 
 TEST(PlaneNotes, TellWhatAnAxisBrings) {
   const SliceAxis speed{"speed.final", 1.5, 2.5, 3};
-  const auto text = [&](const SliceAxis& other) { return stability_text(small_plane(charted_rotor(), speed, other)); };
+  const auto text = [&](const SliceAxis& other) { return result_text(small_plane(charted_rotor(), speed, other)); };
   EXPECT_TRUE(holds(text({"balancer.contact_angle", 0.1, 0.4, 3}), "do not touch"));
   EXPECT_TRUE(holds(text({"rotor.gravity", 0.001, 0.01, 3}), "rates are those of multipliers"));
   for (const char* words : {"do not touch", "multipliers"})
@@ -278,7 +278,7 @@ TEST(PlaneNotes, TellWhatAnAxisBrings) {
   settings.x = speed;
   settings.y = {"balancer.contact_angle", 0.1, 0.4, 3};
   settings.boxes = 0;
-  EXPECT_TRUE(holds(chart_text(bifurcation_chart(charted_rotor(), settings)), "because the balls lack room"));
+  EXPECT_TRUE(holds(result_text(bifurcation_chart(charted_rotor(), settings)), "because the balls lack room"));
 }
 
 TEST(PlaneNames, AreThoseOfTheCaller) {

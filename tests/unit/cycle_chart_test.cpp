@@ -292,13 +292,13 @@ TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   const BifurcationChart without = bifurcation_chart(charted_rotor(), settings);
   EXPECT_FALSE(without.curves.empty());
   for (const ChartCurve& curve : without.curves) EXPECT_FALSE(is_of_cycles(curve.kind));
-  EXPECT_FALSE(holds(chart_text(without), "fold of cycles"));
-  const std::string text = chart_text(around_generalised());
+  EXPECT_FALSE(holds(result_text(without), "fold of cycles"));
+  const std::string text = result_text(around_generalised());
   EXPECT_TRUE(holds(text, "fold of cycles")) << text;
   EXPECT_TRUE(holds(text, "a stable cycle")) << text;
   EXPECT_TRUE(holds(text, "Curves of cycles end, by number: ")) << text;
   EXPECT_TRUE(holds(text, "where the cycle shrinks to a state at rest")) << text;
-  EXPECT_FALSE(holds(chart_text(without), "Curves of cycles end"));
+  EXPECT_FALSE(holds(result_text(without), "Curves of cycles end"));
   EXPECT_FALSE(holds(text, "Of cycles nothing is told"));
   EXPECT_TRUE(holds(chart_plot(around_generalised(), "rotor"), "two cycles merge"));
   EXPECT_FALSE(holds(chart_plot(without, "rotor"), "two cycles merge"));
@@ -330,9 +330,9 @@ TEST(CycleChart, SaysWhyItTellsNothingOfCycles) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.x.pixels = settings.y.pixels = 4;
   const BifurcationChart chart = bifurcation_chart(touching, settings);
-  EXPECT_TRUE(holds(chart_text(chart), "Of cycles nothing is told: balls that touch or stick"));
+  EXPECT_TRUE(holds(result_text(chart), "Of cycles nothing is told: balls that touch or stick"));
   settings.cycles = false;
-  EXPECT_FALSE(holds(chart_text(bifurcation_chart(touching, settings)), "Of cycles nothing"));
+  EXPECT_FALSE(holds(result_text(bifurcation_chart(touching, settings)), "Of cycles nothing"));
 }
 
 TEST(CycleChart, AStoppedSearchHasTheCurvesOfTheCyclesThatItGotTo) {
@@ -353,7 +353,7 @@ TEST(CycleChart, AStoppedSearchHasTheCurvesOfTheCyclesThatItGotTo) {
   const ChartCurve* found = curve_of(chart, CurveKind::cycle_fold);
   ASSERT_TRUE(whole && found);
   EXPECT_EQ(found->points.size(), whole->points.size());
-  EXPECT_TRUE(holds(chart_text(chart), "PARTIAL"));
+  EXPECT_TRUE(holds(result_text(chart), "PARTIAL"));
 }
 
 TEST(CycleChart, ThreadsMakeNoDifference) {

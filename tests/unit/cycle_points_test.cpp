@@ -171,13 +171,13 @@ TEST(CyclePoints, AClosedFoldHasItsCuspsAndToriEndOnItWhereASecondMultiplierIsOn
 
 TEST(CyclePoints, AStoppedChartSaysHowManyPlacesAreLeft) {
   BifurcationChart chart = ChartedPlane({"speed.final", 2.0, 2.1, 4}, {"balancer.drag", 0.01, 0.04, 4}).chart;
-  EXPECT_FALSE(holds(chart_text(chart), "PARTIAL"));
+  EXPECT_FALSE(holds(result_text(chart), "PARTIAL"));
   const std::string whole = chart_answer(chart);
   chart.complete = false;
   EXPECT_NE(chart_answer(chart), whole);
-  EXPECT_TRUE(holds(chart_text(chart), "PARTIAL: stopped before all curves and boxes were done."));
+  EXPECT_TRUE(holds(result_text(chart), "PARTIAL: stopped before all curves and boxes were done."));
   chart.cycles_left = 2;
-  const std::string text = chart_text(chart);
+  const std::string text = result_text(chart);
   EXPECT_TRUE(holds(text, "at least 2 places where cycles change were left.")) << text;
   EXPECT_FALSE(holds(text, "before all curves"));
   EXPECT_EQ(chart_answer(chart), whole);  // how balance is lost, and what is proved, were known before

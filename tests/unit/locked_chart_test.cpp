@@ -382,7 +382,7 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
   EXPECT_EQ(chart.region_of.size(), chart.plane.points.size());
   for (std::size_t k = 0; k < chart.region_of.size(); ++k)
     EXPECT_EQ(chart.regions[static_cast<std::size_t>(chart.region_of[k])].balance, chart.plane.points[k].kind);
-  EXPECT_TRUE(holds(chart_text(chart), "balls together stable")) << chart_text(chart);
+  EXPECT_TRUE(holds(result_text(chart), "balls together stable")) << result_text(chart);
   EXPECT_TRUE(holds(chart_plot(chart, ""), ">A</text>"));
 }
 
@@ -396,7 +396,7 @@ TEST(LockedChart, IsTheSameWhateverTheThreads) {
 TEST(LockedChart, SaysOfWhichRotorsItKnowsNoLockedStates) {
   const SliceAxis x{"speed.final", 1.0, 3.0, 4}, y{"balancer.drag", 0.02, 0.2, 4};
   const auto told = [&](const std::string& more) {
-    return chart_text(chart_of(with(constant_speed, "drag = 0.05\n", "drag = 0.05\n" + more), x, y));
+    return result_text(chart_of(with(constant_speed, "drag = 0.05\n", "drag = 0.05\n" + more), x, y));
   };
   EXPECT_FALSE(holds(told(""), "nothing is told"));
   EXPECT_TRUE(holds(told("stiction = 0.001\n"), "balls that touch or stick"));

@@ -276,7 +276,7 @@ TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {
 TEST(AttractorsText, SpeaksOfDecidedStartsOnly) {
   AttractorsResult r;
   r.basin = result_of(constant_speed, 34, 966);
-  const std::string text = attractors_text(r);
+  const std::string text = result_text(r);
   // 1 - 1e-9^(1/34)
   EXPECT_TRUE(holds(text, "1000 starts searched, 34 decided: an attractor with a share above 0.46 of such starts"))
       << text;
@@ -286,10 +286,10 @@ TEST(AttractorsText, SpeaksOfDecidedStartsOnly) {
   EXPECT_EQ(json["decided"], 34);
   EXPECT_GT(json["detection"]["missing_at_most"], 0.966);
   r.basin = result_of(constant_speed, 0, 1000);
-  EXPECT_FALSE(holds(attractors_text(r), "missed with probability"));
-  EXPECT_TRUE(nlohmann::json::parse(json_text(r))["detection"]["share"].is_null());
+  EXPECT_FALSE(holds(result_text(r), "missed with probability"));
+  EXPECT_TRUE(nlohmann::json::parse(attractors_json(r))["detection"]["share"].is_null());
   r.basin = result_of(constant_speed, 1000, 0);
-  EXPECT_FALSE(holds(attractors_text(r), "stayed undecided"));
+  EXPECT_FALSE(holds(result_text(r), "stayed undecided"));
 }
 
 // Transients of starts that end in balance, elsewhere and nowhere.

@@ -208,9 +208,8 @@ TEST(Stability, SaysWhatIsLeftOut) {
   EXPECT_EQ(left_out("balls = 2", "balls = 2\nstiction = 0.001"), dry_friction_left_out);
   EXPECT_EQ(left_out("damping = 0.5", "damping = 0.5\ngravity = 30.0"), gravity_left_out);
   const Study study = parse_study(with(constant_speed, "balls = 2", "balls = 2\nstiction = 0.001"), "rotor");
-  EXPECT_TRUE(
-      holds(stability_text(stability(study, around(1.0, 4.0, 0.05))), "At all points dry friction is left out."));
-  EXPECT_FALSE(holds(stability_text(stability(paper_rotor(2.4, 0.05), around(1.0, 4.0, 0.05))), "left out"));
+  EXPECT_TRUE(holds(result_text(stability(study, around(1.0, 4.0, 0.05))), "At all points dry friction is left out."));
+  EXPECT_FALSE(holds(result_text(stability(paper_rotor(2.4, 0.05), around(1.0, 4.0, 0.05))), "left out"));
 }
 
 // The machine of the code that was published with Mirkov and others (2026). Speeds are in rad/s.
@@ -342,7 +341,7 @@ TEST(Stability, AStoppedPlaneIsPartial) {
   const StabilityPlane plane = stability(paper_rotor(2.4, 0.05), settings);
   EXPECT_FALSE(plane.complete);
   EXPECT_EQ(plane.count(BalanceKind::not_computed), plane.points.size());
-  EXPECT_TRUE(holds(stability_text(plane), "PARTIAL: 0 of 9 points"));
+  EXPECT_TRUE(holds(result_text(plane), "PARTIAL: 0 of 9 points"));
   EXPECT_TRUE(holds(stability_answer(plane), "nothing was computed (PARTIAL)"));
   EXPECT_TRUE(holds(stability_csv(plane).substr(0, stability_csv(plane).find('\n')), "PARTIAL: stopped early"));
   EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "PARTIAL: stopped early"));
@@ -364,9 +363,9 @@ TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
   ASSERT_TRUE(plane.own);
   EXPECT_TRUE(plane.own->boundaries.empty());
   EXPECT_TRUE(
-      holds(stability_text(plane), "PARTIAL: stopped before all changes next to the study's own values were found.\n"))
-      << stability_text(plane);
-  EXPECT_FALSE(holds(stability_text(plane), "points were computed"));
+      holds(result_text(plane), "PARTIAL: stopped before all changes next to the study's own values were found.\n"))
+      << result_text(plane);
+  EXPECT_FALSE(holds(result_text(plane), "points were computed"));
 }
 
 TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {
@@ -376,7 +375,7 @@ TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {
   plane.complete = false;
   EXPECT_TRUE(holds(stability_answer(plane), "; 66.7 % of the plane was not computed (PARTIAL)."))
       << stability_answer(plane);
-  EXPECT_TRUE(holds(stability_text(plane), "not computed")) << stability_text(plane);
+  EXPECT_TRUE(holds(result_text(plane), "not computed")) << result_text(plane);
   EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "not computed, 66.7 %"));
 }
 

@@ -124,12 +124,11 @@ Json search_attractors(const Json& args, Bulk&) {
   double seconds = 0.0;
   const Ensemble& ensemble = kept(toml, study_of(args.at(0)), false, &seconds);
   const Study study = with_medians(ensemble.study());
-  const TableUnits units(study.scales);
   Json attractors = Json::array();
   for (const Attractor& a : ensemble.catalogue().attractors()) {
     Json one = outcome_json({a.id, a.name, a.alias}, study);
     one.update(motion_json(a, study));
-    one["stability"] = stability_text(a, units);
+    one["stability"] = stability_text(a, study.scales);
     one["path"] = path_json(study, a.motion);
     attractors.push_back(std::move(one));
   }

@@ -11,10 +11,10 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
-#include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
 
@@ -151,7 +151,7 @@ const char* special_words(SpecialKind kind) {
   return words[static_cast<std::size_t>(kind)];
 }
 
-std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
+DocumentTable curves_table(const BifurcationChart& chart) {
   DocumentTable table{{"curve", "what it is", "of", "from", "to", "frequency", "what is lost"}, {}, "", false, {5, 4}};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const ChartCurve& c = chart.curves[k];
@@ -160,10 +160,10 @@ std::string curves_table(const BifurcationChart& chart, const TextStyle& style) 
         row_of("ntttttt", {fmt::format("{}", k + 1), curve_words(c.kind), c.of, place_text(chart, a.x, a.y),
                            place_text(chart, b.x, b.y), frequency_text(c), loss_words(chart, c)}));
   }
-  return table_text(table, style);
+  return table;
 }
 
-std::string specials_table(const BifurcationChart& chart, const TextStyle& style) {
+DocumentTable specials_table(const BifurcationChart& chart) {
   DocumentTable table{{"at", "what it is", "frequency", "curve"}, {}, "", false, {3, 2}};
   for (const SpecialPoint& p : chart.specials) {
     const std::string second = p.second > 0.0 ? fmt::format(", {:.3g}", p.second) : "";
@@ -171,7 +171,7 @@ std::string specials_table(const BifurcationChart& chart, const TextStyle& style
         row_of("tttn", {place_text(chart, p.x, p.y), special_words(p.kind),
                         fmt::format("{:.3g}{}", p.frequency, second), fmt::format("{}", p.curve + 1)}));
   }
-  return table_text(table, style);
+  return table;
 }
 
 // Numbers of the curves of cycles, or of all others, that end so.
@@ -214,15 +214,15 @@ std::string lost_curves_text(const BifurcationChart& chart) {
                                    : "");
 }
 
-// A paragraph a region: letter, part of the plane, what is at rest there.
-std::string regions_list(const BifurcationChart& chart, const TextStyle& style) {
-  std::string text;
+// A line per region: letter, part of the plane, what is at rest there.
+Brief regions_list(const BifurcationChart& chart) {
+  std::string lines;
   for (std::size_t k = 0; k < told_regions(chart); ++k) {
     const ChartRegion& r = chart.regions[k];
-    text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
-                   fmt::format("{} (e.g. at {})", region_words(chart, r), place_text(chart, r.x, r.y, 3)), style);
+    lines += fmt::format("{} {:5.1f} %  {} (e.g. at {})\n", region_letter(k), 100.0 * r.part, region_words(chart, r),
+                         place_text(chart, r.x, r.y, 3));
   }
-  return text;
+  return {lines, "", std::string_view("A 100.0 %  ").size()};
 }
 
 // What the list leaves out, and what regions do not tell.
@@ -317,17 +317,16 @@ std::string chart_answer(const BifurcationChart& chart) {
   return text;
 }
 
-std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
-  std::string text = filled("answer   ", chart_answer(chart), style) + "\n";
-  text += lines_filled(plane_heading(chart.plane), style) + "\n";
-  if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
-  if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
-  if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
-  return text +
-         lines_filled(chart_notes(chart) + fmt::format("{} curve{}, {} boxes; {}; equipoise {}\n", chart.curves.size(),
-                                                       plural(chart.curves.size()), chart.boxes.size(),
-                                                       computed_text(chart.plane), version_string),
-                      style);
+Document document_of(const BifurcationChart& chart) {
+  Document document = document_with(chart.plane.study, chart_answer(chart), axes_text(chart.plane));
+  document.add(curves_table(chart));
+  document.add(specials_table(chart));
+  document.add(regions_list(chart));
+  document.add_lines(chart_notes(chart));
+  document.add(
+      Paragraph{fmt::format("{} curve{}, {} boxes; {}; equipoise {}", chart.curves.size(), plural(chart.curves.size()),
+                            chart.boxes.size(), computed_text(chart.plane), version_string)});
+  return document;
 }
 
 std::string json_text(const BifurcationChart& chart) {

@@ -1,5 +1,5 @@
-// Planes of stability, and the curves in them on which balance changes: text, JSON, CSV, pictures.
-// This room: planes as text, tables and pictures.
+// Planes of stability, and the curves in them on which balance changes: documents, JSON, CSV, pictures.
+// This room: planes as documents and pictures.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace equipoise {
 /// The parts of the plane, and the study's own point with its ways to the boundaries, in sentences.
 std::string stability_answer(const StabilityPlane& plane);
 
-/// The study, and both axes with their points: lines.
-std::string plane_heading(const StabilityPlane& plane);
+/// Both axes with their points: lines.
+std::string axes_text(const StabilityPlane& plane);
 
 /// What linear theory leaves out, and how rates are meant: lines.
 std::string plane_notes(const StabilityPlane& plane);
@@ -24,7 +24,7 @@ std::string plane_notes(const StabilityPlane& plane);
 const char* balance_words(BalanceKind kind);
 
 /// The answer, then the axes and how the plane was computed.
-std::string stability_text(const StabilityPlane& plane, const TextStyle& style = wide_style);
+Document document_of(const StabilityPlane& plane);
 
 /// One JSON object. docs/reference/commands/stability.md lists the keys.
 std::string json_text(const StabilityPlane& plane);
@@ -61,7 +61,7 @@ BalanceLoss balance_loss(const BifurcationChart& chart);
 std::string chart_answer(const BifurcationChart& chart);
 
 /// The answer, then curves and points.
-std::string chart_text(const BifurcationChart& chart, const TextStyle& style = wide_style);
+Document document_of(const BifurcationChart& chart);
 
 /// One JSON object. docs/reference/commands/chart.md lists the keys.
 std::string json_text(const BifurcationChart& chart);

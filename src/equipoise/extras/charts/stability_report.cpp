@@ -13,11 +13,11 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/motion_words.hpp"
-#include "equipoise/report/text/text.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
@@ -190,18 +190,17 @@ std::string plane_notes(const StabilityPlane& plane) {
   return text;
 }
 
-std::string plane_heading(const StabilityPlane& plane) {
-  std::string heading = study_heading(plane.study);
+std::string axes_text(const StabilityPlane& plane) {
+  std::string text;
   for (const auto& [letter, axis] : {std::pair{"x", &plane.x}, {"y", &plane.y}})
-    heading += fmt::format("{}: {} from {} to {} in {} points\n", letter, axis->key,
-                           parameter_text(plane.study, axis->key, axis->low),
-                           parameter_text(plane.study, axis->key, axis->high), axis->pixels);
-  return heading;
+    text += fmt::format("{}: {} from {} to {} in {} points\n", letter, axis->key,
+                        parameter_text(plane.study, axis->key, axis->low),
+                        parameter_text(plane.study, axis->key, axis->high), axis->pixels);
+  return text;
 }
 
-std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
-  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
-  text += lines_filled(plane_heading(plane), style) + "\n";
+Document document_of(const StabilityPlane& plane) {
+  Document document = document_with(plane.study, stability_answer(plane), axes_text(plane));
   DocumentTable table{{"balance is", "points", "of the plane", "rates, omega_c"}};
   for (const BalanceKind kind : balance_kinds) {
     double low = INFINITY, high = -INFINITY;
@@ -215,13 +214,12 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
   if (const std::size_t missing = plane.count(BalanceKind::not_computed); missing > 0)
     table.rows.push_back(
         row_of("tnnn", {"not computed", fmt::format("{}", missing), part_text(plane, BalanceKind::not_computed), ""}));
-  text += table_text(table, style);
+  document.add(std::move(table));
+  document.add_lines(plane_notes(plane));
   const std::size_t computed = plane.points.size() - plane.count(BalanceKind::not_computed);
-  return text +
-         lines_filled("\n" + plane_notes(plane) +
-                          fmt::format("{} points; {}, {:.0f} points/s; equipoise {}\n", computed, computed_text(plane),
-                                      static_cast<double>(computed) / std::max(plane.seconds, 1e-9), version_string),
-                      style);
+  document.add(Paragraph{fmt::format("{} points; {}, {:.0f} points/s; equipoise {}", computed, computed_text(plane),
+                                     static_cast<double>(computed) / std::max(plane.seconds, 1e-9), version_string)});
+  return document;
 }
 
 std::string json_text(const StabilityPlane& plane) {

@@ -2,9 +2,11 @@
 // This room: plots, SVG and documents: the means of drawing, no result.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -80,6 +82,7 @@ struct Listing {
 /// The same in two forms: lines for the terminal, and a sentence for a page, which has room for the rest elsewhere.
 struct Brief {
   std::string lines, sentence;
+  std::size_t hang = 0;  ///< width of the label that lines begin with
 };
 using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, DrawingRow, Listing, Brief>;
 
@@ -91,6 +94,14 @@ struct Document {
   bool sheet = false;
 
   void add(Block block) { blocks.push_back(std::move(block)); }
+  /// A paragraph per line; empty lines are left out.
+  void add_lines(std::string_view lines) {
+    while (!lines.empty()) {
+      const std::size_t end = std::min(lines.find('\n'), lines.size());
+      if (end > 0) add(Paragraph{std::string(lines.substr(0, end))});
+      lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+  }
 };
 
 /// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "equipoise/report/drawing/document.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/machine_page.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -33,11 +32,7 @@ void add_origin(Document& document, const Study& study, const std::string& words
 /// `machine`: from the original study (report/html/given_machine.hpp).
 std::string document_page(Document document, const Study& study, const GivenMachine& machine);
 
-/// A result's document as text and as a page.
-template <class Result>
-std::string result_text(const Result& result, const TextStyle& style = wide_style) {
-  return document_text(document_of(result), style);
-}
+/// A result's document as a page.
 template <class Result>
 std::string result_page(const Result& result, const GivenMachine& machine) {
   return document_page(document_of(result), result.study, machine);

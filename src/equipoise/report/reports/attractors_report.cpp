@@ -1,4 +1,4 @@
-// Attractors as text and as JSON.
+// Attractors as a document and as JSON.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
 
 namespace {
+using study::Dimension;
 
 constexpr char drift_of_the_balls[] = "drift of the balls";
 
@@ -56,13 +57,18 @@ std::string search_text(const AttractorsResult& r) {
   return text;
 }
 
+// A number in the unit in which results are shown.
+double shown(const Study& study, double value, Dimension d) { return value * study::shown_unit(d, study.scales).size; }
+
 // What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
-std::vector<std::string> motor_texts(const Motion& m, const TableUnits& units) {
+std::vector<std::string> motor_texts(const Motion& m, const Study& study) {
   if (!m.motor) return std::vector<std::string>(4, "-");
   const MotorLoad& load = *m.motor;
   const double waver = 0.5 * (load.speed_max - load.speed_min);
-  return {fmt::format("{:.5f}", m.speed * units.speed + 0.0), fmt::format("{:.5f}", waver * units.speed),
-          fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
+  return {fmt::format("{:.5f}", shown(study, m.speed, Dimension::speed) + 0.0),
+          fmt::format("{:.5f}", shown(study, waver, Dimension::speed)),
+          fmt::format("{:.5g}", shown(study, load.torque, Dimension::torque)),
+          fmt::format("{:.5g}", shown(study, load.power, Dimension::power))};
 }
 
 // In rpm four digits are enough, to 1e-4.
@@ -87,63 +93,69 @@ std::string events_text(const Attractor& a, int balls) {
 }
 
 // Meaning of the columns for a rotor whose equations depend on its angle.
-std::string section_text(const Study& study, const TableUnits& units) {
+std::string section_text(const Study& study) {
   const model::System system = study.system();
   if (system.autonomous()) return "";
   const model::Parameters& p = study.parameters;
   std::string text =
       fmt::format("One strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
   if (system.prescribed())
-    text += fmt::format(", {:.5f}{}", system.section_period() * units.time, study.scales ? " s" : "");
+    text += fmt::format(", {:.5f}{}", shown(study, system.section_period(), Dimension::time), study.scales ? " s" : "");
   if (p.gravity != 0.0)
     text += fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
-                        model::static_sag(p) * units.length, study.scales ? " mm" : "");
+                        shown(study, model::static_sag(p), Dimension::length), study.scales ? " mm" : "");
   return text + "; multipliers are over the period, without one of 1.\n";
 }
 
 }  // namespace
 
-std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
-  const int balls = r.basin.study.parameters.balls;
-  std::string text = lines_filled(study_heading(r.basin.study), style);
-  const TableUnits units(r.basin.study.scales);
+Document document_of(const AttractorsResult& r) {
+  const Study& study = r.basin.study;
+  const bool physical = study.scales.has_value(), driven = study.speed.driven();
+  Document document = document_with(study, "", "");
+  const auto titled = [&](const char* title, Dimension d) {
+    return physical ? fmt::format("{}, {}", title, study::shown_unit(d, study.scales).name) : std::string(title);
+  };
   DocumentTable table;
   table.header = {"id",
                   "attractor",
                   "kind",
                   "share",
                   "copies",
-                  "period" + units.period,
-                  "r min" + units.r,
+                  titled("period", Dimension::time),
+                  titled("r min", Dimension::length),
                   "mean",
-                  "r max" + units.r,
-                  drift_of_the_balls + units.drift,
+                  titled("r max", Dimension::length),
+                  titled(drift_of_the_balls, Dimension::speed),
                   "stability"};
-  const bool driven = r.basin.study.speed.driven();
   const auto put_motor = [&](std::vector<std::string>& row, const std::vector<std::string>& texts) {
     if (driven) row.insert(row.end() - 2, texts.begin(), texts.end());
   };
-  put_motor(table.header, {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
+  put_motor(table.header, {titled("speed", Dimension::speed), "+-", titled("torque", Dimension::torque),
+                           titled("power", Dimension::power)});
   for (const Attractor& a : r.attractors) {
     const Motion& m = a.motion;
     const Share& share = share_of(r, a.id).share;
     std::string drift;
-    for (int i = 0; i < balls; ++i)
-      drift += (i ? ", " : "") + drift_text(m.drift[i] * units.speed, r.basin.study.scales.has_value());
+    for (int i = 0; i < study.parameters.balls; ++i)
+      drift += (i ? ", " : "") + drift_text(shown(study, m.drift[i], Dimension::speed), physical);
     const bool measured = m.kind == MotionKind::measured;  // its state is unknown
-    const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
-    std::vector<std::string> row{fmt::format("{}", a.id),
-                                 reader_title(a, r.basin.study.scales.has_value()),
-                                 name_of(m.kind),
-                                 share.total ? share_cell(share).text : "-",
-                                 a.continuum || measured ? "-" : fmt::format("{}", m.copies),
-                                 m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
-                                 r_text(m.r_min),
-                                 r_text(m.r_mean),
-                                 r_text(m.r_max),
-                                 measured ? "-" : drift,
-                                 stability_text(a, units)};
-    put_motor(row, motor_texts(m, units));
+    const auto r_text = [&](double value) {
+      return measured ? "-" : fmt::format("{:.4f}", shown(study, value, Dimension::length));
+    };
+    std::vector<std::string> row{
+        fmt::format("{}", a.id),
+        reader_title(a, physical),
+        name_of(m.kind),
+        share.total ? share_text(share) : "-",
+        a.continuum || measured ? "-" : fmt::format("{}", m.copies),
+        m.kind == MotionKind::periodic ? fmt::format("{:.5f}", shown(study, m.period, Dimension::time)) : "-",
+        r_text(m.r_min),
+        r_text(m.r_mean),
+        r_text(m.r_max),
+        measured ? "-" : drift,
+        stability_text(a, study.scales)};
+    put_motor(row, motor_texts(m, study));
     table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
   }
   // Without these in this order where the terminal is narrow.
@@ -151,18 +163,21 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
        {drift_of_the_balls, "kind", "stability", "speed", "period", "mean", "r min", "power", "torque", "+-", "copies"})
     for (std::size_t k = 0; k < table.header.size(); ++k)
       if (table.header[k].starts_with(title)) table.spare.push_back(k);
-  text += table_text(table, style) + "\n";
-  std::string notes = section_text(r.basin.study, units);
-  for (const Attractor& a : r.attractors) notes += events_text(a, balls);
-  notes += left_unbalance_text(r.basin.attractors, r.basin.study);
-  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.basin.study, r.basin.note));
+  document.add(std::move(table));
+  document.add_lines(section_text(study));
+  for (const Attractor& a : r.attractors) document.add_lines(events_text(a, study.parameters.balls));
+  document.add_lines(left_unbalance_text(r.basin.attractors, study));
+  if (!r.basin.note.empty())
+    document.add(Paragraph{fmt::format("Note: {}.", note_text(study, r.basin.note)), Tone::open});
   if (r.basin.partial)
-    notes += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
-                         r.basin.starts, r.basin.asked);
-  notes += search_text(r);
-  notes +=
-      fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
-  return text + lines_filled(notes, style);
+    document.add(Paragraph{fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be "
+                                       "others.",
+                                       r.basin.starts, r.basin.asked),
+                           Tone::bad});
+  document.add_lines(search_text(r));
+  document.add(
+      Paragraph{fmt::format("seed {}; {}; equipoise {}", study.sampling.seed, computed_text(r.basin), version_string)});
+  return document;
 }
 
 std::string json_text(const AttractorsResult& r) {

@@ -1,4 +1,4 @@
-// Branches as text, JSON and CSV.
+// Branches as a document, JSON and CSV.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -11,10 +11,9 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
-#include "equipoise/report/text/table_text.hpp"
-#include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
@@ -117,13 +116,12 @@ Json point_json(const BranchPoint& point, int balls) {
 
 }  // namespace
 
-std::string branches_text(const BranchesResult& r, const TextStyle& style) {
-  std::string text = lines_filled(study_heading(r.study), style);
+Document document_of(const BranchesResult& r) {
   const std::string label = parameter_label(r.key);
   const std::string key = label == r.key ? r.key : fmt::format("{} ({})", r.key, label);
-  text += lines_filled(fmt::format("along {}: {:.12g} to {:.12g}, {} values\n\n", key, r.values.front(),
-                                   r.values.back(), r.values.size()),
-                       style);
+  Document document = document_with(
+      r.study, "",
+      fmt::format("along {}: {:.12g} to {:.12g}, {} values", key, r.values.front(), r.values.back(), r.values.size()));
   const bool physical = r.study.scales.has_value();
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}};
   for (const Branch& b : r.branches)
@@ -139,18 +137,21 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
     table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id),
                                            reader_title(*b, physical), name_of(e->change), name_of(e->cause)}));
   table.spare = {2, 5, 1};
-  text += table_text(branches, style) + "\n" + table_text(table, style);
-  if (events.empty()) text += "  none\n";
-  std::string notes = fmt::format(
-      "\nA range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way "
+  if (events.empty()) table.rows.push_back(row_of("tttttt", {"none", "", "", "", "", ""}));
+  document.add(std::move(branches));
+  document.add(std::move(table));
+  document.add(Paragraph{fmt::format(
+      "A range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way "
       "between, {} random starts and the pilot were searched. Attractors to which fewer come are not listed, nor those "
-      "that exist only between two of these values. States that you give are also followed.\n",
-      r.values.front(), r.values.back(), r.starts);
+      "that exist only between two of these values. States that you give are also followed.",
+      r.values.front(), r.values.back(), r.starts)});
   if (r.partial)
-    notes += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
-  notes += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, plural(r.threads),
-                       r.cpu_target, version_string);
-  return text + lines_filled(notes, style);
+    document.add(Paragraph{
+        "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.",
+        Tone::bad});
+  document.add(Paragraph{fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}", r.seconds, r.threads,
+                                     plural(r.threads), r.cpu_target, version_string)});
+  return document;
 }
 
 std::string json_text(const BranchesResult& r) {

@@ -1,4 +1,4 @@
-// Comparisons as text and JSON.
+// Comparisons as a document and as JSON.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <array>
@@ -10,7 +10,6 @@
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
@@ -68,11 +67,13 @@ std::string verdict(const ComparisonResult& r) {
   return fmt::format("No difference in {} is shown: {} points.", starts, interval_text(d));
 }
 
-std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
-  std::string text = filled("", verdict(r), style) + "\n";
-  text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
-                                   study_heading(r.second) + uncertain_text(r.second)),
-                       style);
+Document document_of(const ComparisonResult& r) {
+  Document document{"Comparison", {}};
+  document.add(Paragraph{verdict(r)});
+  std::string sides = fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
+                                  study_heading(r.second) + uncertain_text(r.second));
+  sides.erase(sides.find_last_not_of('\n') + 1);
+  document.add(Brief{sides, ""});
   DocumentTable table{{"outcome", "first", "second", "difference", "95 % interval, points"}};
   const auto row = [&](const std::string& name, const auto& s) {
     table.rows.push_back(row_of("lnnnn", {name, percent(s.first.share, 2), percent(s.second.share, 2),
@@ -81,18 +82,21 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   if (r.limits) row(starts_within_all_limits, *r.limits);
   for (const ComparedShare& s : r.shares)
     if (s.first.count > 0 || s.second.count > 0) row(reader_title(s, r.first.scales.has_value()), s);
-  text += table_text(table, style) + "\n";
-  if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
-  std::string notes;
+  document.add(std::move(table));
+  document.add(figures_table(r));
   if (r.changed && r.starts > 0) {
-    notes += fmt::format("{} of {} common starts end differently: {} ({})\n", r.changed->count, r.starts,
-                         percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
-    for (const ChangedFate& c : r.changes) notes += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
+    document.add(Paragraph{fmt::format("{} of {} common starts end differently: {} ({})", r.changed->count, r.starts,
+                                       percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed))});
+    for (const ChangedFate& c : r.changes)
+      document.add(Paragraph{fmt::format("{:>10}  from {} to {}", c.starts, c.from, c.to)});
   } else if (!r.common) {
-    notes += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
+    document.add(Paragraph{fmt::format("Compared as independent samples: {}.", r.why_not_common)});
   }
-  if (r.partial) notes += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
-  return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
+  if (r.partial)
+    document.add(Paragraph{"PARTIAL: stopped before all starts were done; what is said above is of those that were.",
+                           Tone::bad});
+  document.add(Paragraph{fmt::format("equipoise {}", version_string)});
+  return document;
 }
 
 std::string json_text(const ComparisonResult& r) {

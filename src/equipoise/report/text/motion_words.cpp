@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/percent_text.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 
@@ -26,48 +25,35 @@ Json events_json(const Motion& m) {
 }
 
 // In a continuum each member has its own stability.
-std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
+std::string continuum_text(const ContinuumPart& part, double second, const char* unit) {
   if (part.slowest_rate == 0.0)
     return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}",
-                       part.drawn, part.least_growth / units.time, part.most_growth / units.time, units.rate);
+                       part.drawn, part.least_growth / second, part.most_growth / second, unit);
   const std::string share = part.stable == part.drawn ? "all"
                             : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
                                                       : percent_text(part.share());
   return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}{}", share,
-                     part.fastest_rate / units.time, part.slowest_rate / units.time, units.rate);
+                     part.fastest_rate / second, part.slowest_rate / second, unit);
 }
 
 }  // namespace
 
-std::string stability_text(const Attractor& a, const TableUnits& units) {
+std::string stability_text(const Attractor& a, const std::optional<model::Scales>& scales) {
+  const double second = scales ? scales->time() : 1.0;
+  const char* unit = scales ? " /s" : "";
   if (a.motion.set_valued) return "a continuum that dry friction holds";
-  if (a.continuum) return continuum_text(*a.continuum, units);
+  if (a.continuum) return continuum_text(*a.continuum, second, unit);
   const Motion& m = a.motion;
   if (m.kind == MotionKind::measured) return "starts end in it; known by its measured motion alone";
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.kind == MotionKind::equilibrium && !m.depends_on_angle && !m.exponents.empty())
-    return fmt::format("{}, slowest rate {:.5f}{}", verdict, m.exponents.front() / units.time, units.rate);
+    return fmt::format("{}, slowest rate {:.5f}{}", verdict, m.exponents.front() / second, unit);
   if (const double multiplier = largest_multiplier(m); std::isfinite(multiplier))
     return fmt::format("{}, largest multiplier {:.4f}", verdict, multiplier);
   std::string text = fmt::format("{}, exponents", verdict);
   for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
-    text += fmt::format(" {:.4f}", m.exponents[k] / units.time);
-  return text + units.rate;
-}
-
-TableUnits::TableUnits(const std::optional<model::Scales>& scales) {
-  if (!scales) return;
-  length = 1000.0 * scales->length;
-  time = scales->time();
-  speed = scales->frequency * 30.0 / pi;
-  torque = scales->torque();
-  power = scales->torque() * scales->frequency;
-  r = ", mm";
-  period = ", s";
-  drift = ", rpm";
-  moment = ", N m";
-  watts = ", W";
-  rate = " /s";
+    text += fmt::format(" {:.4f}", m.exponents[k] / second);
+  return text + unit;
 }
 
 void to_json(Json& json, const ContinuumPart& part) {

@@ -127,7 +127,7 @@ struct TextWriter {
   std::string operator()(const Listing& listing) const {
     return listing.open ? filled("", listing.caption + ":", style) + listing.text : "";
   }
-  std::string operator()(const Brief& brief) const { return lines_filled(brief.lines, style); }
+  std::string operator()(const Brief& brief) const { return lines_filled(brief.lines, style, brief.hang); }
 
  private:
   bool fits(std::string_view text) const {

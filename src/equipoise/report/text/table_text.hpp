@@ -37,6 +37,10 @@ std::string filled(std::string_view label, std::string_view text, const TextStyl
 /// is a sheet. Sentences that follow one another form one group; an empty line separates it from other blocks. A table
 /// that is too wide becomes a list, and a folded one is left out unless the style has details.
 std::string document_text(const Document& document, const TextStyle& style = wide_style);
+template <class Result>
+std::string result_text(const Result& result, const TextStyle& style = wide_style) {
+  return document_text(document_of(result), style);
+}
 
 /// Lines, each filled; what a line goes on with stands below its first character that is no space, or from column
 /// `hang` on where that column ends a label.
