@@ -12,6 +12,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
@@ -89,12 +90,12 @@ std::string proof_sentence(const BifurcationChart& chart) {
 
 // In the units of the axes.
 std::string place_text(const BifurcationChart& chart, double x, double y, int digits = 4) {
-  return plain_number(x * shown_axis(chart.plane.study, chart.plane.x).factor, digits) + ", " +
-         plain_number(y * shown_axis(chart.plane.study, chart.plane.y).factor, digits);
+  return plain_number(x * axis_words(chart.plane.study, chart.plane.x).factor, digits) + ", " +
+         plain_number(y * axis_words(chart.plane.study, chart.plane.y).factor, digits);
 }
 
-std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {
-  const std::string unit = shown_axis(chart.plane.study, axis).unit;
+std::string key_and_unit(const BifurcationChart& chart, const SliceAxis& axis) {
+  const std::string unit = axis_words(chart.plane.study, axis).unit;
   return unit.empty() ? axis.key : fmt::format("{} in {}", axis.key, unit);
 }
 
@@ -240,8 +241,8 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (chart.curves.empty()) {
     text += "No curve was found.\n";
   } else {
-    text += fmt::format("Places are {}, {}; frequencies are in omega_c.\n", axis_words(chart, chart.plane.x),
-                        axis_words(chart, chart.plane.y));
+    text += fmt::format("Places are {}, {}; frequencies are in omega_c.\n", key_and_unit(chart, chart.plane.x),
+                        key_and_unit(chart, chart.plane.y));
     double error = 0.0;
     for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
     text += fmt::format("Points lie on their curves within {:.0e} of the plane's sides.\n", std::max(error, 1e-16));

@@ -9,39 +9,21 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/drawing/raster.hpp"
-#include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
-#include "equipoise/report/text/engineering.hpp"
-#include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// The plane's axes, in the machine's units if it has them.
-SvgAxes plane_axes(Svg& svg, const StabilityPlane& plane) {
-  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
-  return {svg,
-          plane_top_left,
-          plane_bottom_right,
-          {plane.x.low, plane.x.high},
-          {plane.y.low, plane.y.high},
-          {x.label, x.factor},
-          {y.label, y.factor}};
-}
-
 // The drawing as a picture file below the title and the parameters that stay.
-std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
+std::string plane_plot(const std::string& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
                        const char* caption) {
   return plot_file(title,
                    {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
                     (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
                     (complete ? "" : " (PARTIAL: stopped early)")},
-                   {{{"", drawing.str()}}, caption});
+                   {{{"", drawing}}, caption});
 }
 
 // Every so many-th row and column.
@@ -67,34 +49,35 @@ const char* colour_of_kind(BalanceKind kind) {
 }
 
 // Lighter for slow rates.
-Raster raster_of(const StabilityPlane& plane) {
-  std::array<double, 2> fastest{0.0, 0.0};  // of decay, of growth
-  for (const BalancePoint& p : plane.points)
-    if (std::isfinite(p.growth)) {
-      double& most = fastest[p.growth > 0.0 ? 1 : 0];
-      most = std::max(most, std::fabs(p.growth));
-    }
-  constexpr std::size_t shades = 60;
-  std::array<std::array<std::string, shades>, 2> colours;
-  for (std::size_t k = 0; k < shades; ++k)
-    for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable}) {
-      constexpr double lightest = 0.25;
-      const double strength = lightest + (1.0 - lightest) * static_cast<double>(k) / (shades - 1);
-      colours[kind == BalanceKind::unstable ? 1 : 0][k] = mixed_colour("#ffffff", colour_of_kind(kind), strength);
-    }
-  Raster raster{static_cast<std::size_t>(plane.x.pixels), static_cast<std::size_t>(plane.y.pixels), {}, {}};
-  for (int row = plane.y.pixels - 1; row >= 0; --row)
-    for (int column = 0; column < plane.x.pixels; ++column) {
-      const BalancePoint& p = plane.points[plane.at(column, row)];
-      const bool has_rate =
-          std::isfinite(p.growth) && (p.kind == BalanceKind::stable || p.kind == BalanceKind::unstable);
-      const std::size_t side = p.growth > 0.0 ? 1 : 0;
-      const double share = has_rate && fastest[side] > 0.0 ? std::sqrt(std::fabs(p.growth) / fastest[side]) : 1.0;
-      raster.add(has_rate ? colours[side][static_cast<std::size_t>(std::lround(share * (shades - 1)))]
-                          : colour_of_kind(p.kind));
-    }
-  return raster;
-}
+class RateColours {
+ public:
+  explicit RateColours(const StabilityPlane& plane) {
+    for (const BalancePoint& p : plane.points)
+      if (std::isfinite(p.growth)) {
+        double& most = fastest_[p.growth > 0.0 ? 1 : 0];
+        most = std::max(most, std::fabs(p.growth));
+      }
+    for (std::size_t k = 0; k < shades; ++k)
+      for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable}) {
+        constexpr double lightest = 0.25;
+        const double strength = lightest + (1.0 - lightest) * static_cast<double>(k) / (shades - 1);
+        colours_[kind == BalanceKind::unstable ? 1 : 0][k] = mixed_colour("#ffffff", colour_of_kind(kind), strength);
+      }
+  }
+
+  std::string of(const BalancePoint& p) const {
+    if (!std::isfinite(p.growth) || (p.kind != BalanceKind::stable && p.kind != BalanceKind::unstable))
+      return colour_of_kind(p.kind);
+    const std::size_t side = p.growth > 0.0 ? 1 : 0;
+    const double share = fastest_[side] > 0.0 ? std::sqrt(std::fabs(p.growth) / fastest_[side]) : 1.0;
+    return colours_[side][static_cast<std::size_t>(std::lround(share * (shades - 1)))];
+  }
+
+ private:
+  static constexpr std::size_t shades = 60;
+  std::array<double, 2> fastest_{0.0, 0.0};  // of decay, of growth
+  std::array<std::array<std::string, shades>, 2> colours_;
+};
 
 // Whether an eigenvalue turns at the point next to this place.
 bool turns_at(const StabilityPlane& plane, const MapPoint& place) {
@@ -196,7 +179,8 @@ Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
 }
 
 // Boxes are many and small. For those at an edge of a pixel the one at its centre counts.
-Raster raster_of(const BifurcationChart& chart) {
+void draw_boxes(PlanePicture& picture, const BifurcationChart& chart) {
+  if (chart.boxes.empty()) return;
   constexpr int side = most_drawn_pixels;
   const SliceAxis x{"", chart.plane.x.low, chart.plane.x.high, side},
       y{"", chart.plane.y.low, chart.plane.y.high, side};
@@ -206,26 +190,22 @@ Raster raster_of(const BifurcationChart& chart) {
   };
   for (const ProofBox& b : chart.boxes)
     for (int row = first_from(y, b.y[0]); row < first_from(y, b.y[1]); ++row)
-      std::fill(kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[0]),
-                kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[1]), b.kind);
-  Raster raster{side, side, {}, {}};
-  for (const BalanceKind kind : kinds) raster.add(colour_of_proof(kind));
-  return raster;
-}
-
-void draw_boxes(Svg& svg, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
-  if (chart.boxes.empty()) return;
-  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(chart)));  // over the grid
+      std::fill(kinds.begin() + row * side + first_from(x, b.x[0]), kinds.begin() + row * side + first_from(x, b.x[1]),
+                b.kind);
+  picture.fill(side, side, [&](int column, int row) {
+    return colour_of_proof(kinds[static_cast<std::size_t>(row * side + column)]);
+  });
   for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none})
     if (chart.proved(kind) > 0.0)
-      legend.push_back({{"", colour_of_proof(kind)}, fmt::format("proved: {}", balance_words(kind))});
-  if (chart.proved(BalanceKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, "not decided"});
+      picture.legend.push_back({{"", colour_of_proof(kind)}, fmt::format("proved: {}", balance_words(kind))});
+  if (chart.proved(BalanceKind::open) > 0.0) picture.legend.push_back({{"", "#ffffff"}, "not decided"});
 }
 
-void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
+void draw_specials(PlanePicture& picture, const BifurcationChart& chart) {
   const SvgPen ring{"#000000", "#ffffff", 1.5};
-  for (const SpecialPoint& p : chart.specials) svg.circle(axes.at(p.x, p.y), 3.5, ring);
-  if (!chart.specials.empty()) legend.push_back({ring, "where curves change their kind", LegendEntry::Mark::ring});
+  for (const SpecialPoint& p : chart.specials) picture.svg.circle(picture.axes.at(p.x, p.y), 3.5, ring);
+  if (!chart.specials.empty())
+    picture.legend.push_back({ring, "where curves change their kind", LegendEntry::Mark::ring});
 }
 
 // What is at rest and stable: "balance, balls together".
@@ -237,65 +217,55 @@ std::string stable_words(const BifurcationChart& chart, const ChartRegion& regio
   return stable.empty() ? "nothing" : fmt::format("{}", fmt::join(stable, ", "));
 }
 
-void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& letters) {
+// The letters of regions in their places; returns what they stand for.
+std::vector<LegendEntry> draw_regions(PlanePicture& picture, const BifurcationChart& chart) {
+  std::vector<LegendEntry> letters;
   const std::size_t regions = told_regions(chart);
   for (std::size_t k = 0; regions > 1 && k < regions; ++k) {
     const ChartRegion& r = chart.regions[k];
-    const SvgPoint at = axes.at(r.x, r.y);
-    svg.circle(at, 7.5, {"", "#ffffff", 1.0, 0.75});
-    svg.text({at.x, at.y + 4.0}, region_letter(k), SvgAnchor::middle, "#1a1a1a", 12.0);
+    const SvgPoint at = picture.axes.at(r.x, r.y);
+    picture.svg.circle(at, 7.5, {"", "#ffffff", 1.0, 0.75});
+    picture.svg.text({at.x, at.y + 4.0}, region_letter(k), SvgAnchor::middle, "#1a1a1a", 12.0);
     letters.push_back({{}, region_letter(k) + ": " + stable_words(chart, r), LegendEntry::Mark::none});
   }
+  return letters;
 }
 
 }  // namespace
 
-ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
-  const auto unit = study::unit_of(study, axis.key);
-  if (!unit) return {axis_label(axis.key), 1.0};
-  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
-  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
-}
-
 std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
   const StabilityPlane plane = drawn_part(whole);
-  Svg svg(drawing_width, below_plane, "What balance does over the plane");
-  const SvgAxes axes = plane_axes(svg, plane);
-  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(plane)));  // over the grid
-  std::vector<LegendEntry> legend;
+  PlanePicture picture("What balance does over the plane", plane.study, plane.x, plane.y);
+  const RateColours colours(plane);
+  picture.fill(plane.x.pixels, plane.y.pixels,
+               [&](int column, int row) { return colours.of(plane.points[plane.at(column, row)]); });
   for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
                                  BalanceKind::unknown, BalanceKind::not_computed})
     if (const std::size_t count = whole.count(kind); count > 0)
-      legend.push_back({{"", colour_of_kind(kind)},
-                        legend_words(kind, static_cast<double>(count) / static_cast<double>(whole.points.size()))});
-  const std::vector<Border> borders = borders_of(plane);
-  draw_borders(svg, axes, borders);
-  add_to_legend(legend, borders);
+      picture.legend.push_back(
+          {{"", colour_of_kind(kind)},
+           legend_words(kind, static_cast<double>(count) / static_cast<double>(whole.points.size()))});
+  picture.draw(borders_of(plane));
   if (plane.own && !plane.own->boundaries.empty()) {
     const SvgPen ring{"#000000", "#ffffff", 2.0};
-    svg.circle(axes.at(plane.own->x, plane.own->y), 5.0, ring);
-    legend.push_back({ring, "the study", LegendEntry::Mark::ring});
+    picture.svg.circle(picture.axes.at(plane.own->x, plane.own->y), 5.0, ring);
+    picture.legend.push_back({ring, "the study", LegendEntry::Mark::ring});
   }
-  draw_legend(svg, legend);
-  return plane_plot(svg, whole, title, whole.complete, "The darker, the faster deviations die out or grow.");
+  return plane_plot(picture.str(), whole, title, whole.complete, "The darker, the faster deviations die out or grow.");
 }
 
 std::string chart_plot(const BifurcationChart& chart, const std::string& title) {
   const StabilityPlane& plane = chart.plane;
-  Svg svg(drawing_width, below_plane, "Curves on which balance and locked states change");
-  const SvgAxes axes = plane_axes(svg, plane);
-  std::vector<LegendEntry> legend, letters;
-  draw_boxes(svg, chart, legend);
+  PlanePicture picture("Curves on which balance and locked states change", plane.study, plane.x, plane.y);
+  draw_boxes(picture, chart);
   std::vector<Border> borders;
   for (const StrokeStyle& style : strokes) borders.push_back(border_of(chart, style));
-  draw_borders(svg, axes, borders);
-  add_to_legend(legend, borders);
-  draw_specials(svg, axes, chart, legend);
-  draw_regions(svg, axes, chart, letters);
-  draw_legend(svg, legend);
-  if (!letters.empty()) draw_legend(svg, {{{}, "at rest and stable:", LegendEntry::Mark::none}});
-  draw_legend(svg, letters);
-  return plane_plot(svg, plane, title, chart.complete, "");
+  picture.draw(borders);
+  draw_specials(picture, chart);
+  const std::vector<LegendEntry> letters = draw_regions(picture, chart);
+  draw_legend(picture.svg, std::exchange(picture.legend, letters));
+  if (!letters.empty()) draw_legend(picture.svg, {{{}, "at rest and stable:", LegendEntry::Mark::none}});
+  return plane_plot(picture.str(), plane, title, chart.complete, "");
 }
 
 }  // namespace equipoise

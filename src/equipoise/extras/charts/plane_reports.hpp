@@ -38,15 +38,6 @@ std::string stability_csv(const StabilityPlane& plane);
 /// before the parameters.
 std::string stability_plot(const StabilityPlane& plane, const std::string& title);
 
-/// How an axis is drawn, in the machine's units if it has them: its label, what a dimensionless value is multiplied by,
-/// and the unit that it then has, if any.
-struct ShownAxis {
-  std::string label;
-  double factor = 1.0;
-  std::string unit = {};
-};
-ShownAxis shown_axis(const Study& study, const SliceAxis& axis);
-
 /// How the lines on which a stable balance loses its stability are made up: their length in the plane, whose sides
 /// count 1.
 struct BalanceLoss {

@@ -82,11 +82,13 @@ std::vector<double> round_ticks(AxisExtent extent, int count);
 /// The smallest of 1, 2, 5 times a power of ten that is at least `value` > 0.
 double round_up(double value);
 
-/// An axis label; ticks show values times `factor`. `log`: a logarithmic axis, which x may have.
+/// An axis label; ticks show values times `factor`, which are then in `unit`. `log`: a logarithmic axis, which x may
+/// have.
 struct AxisWords {
   std::string label;
   double factor = 1.0;
   bool log = false;
+  std::string unit{};
 };
 
 /// A frame with axes inside a picture.

@@ -11,30 +11,15 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
-#include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Angles of balls in parts of a turn, quantities in the unit that suits the largest value, others as in pictures.
-AxisWords words_for(const Study& study, const SliceAxis& axis) {
-  if (axis.angle()) {
-    const std::string label = axis_label(axis.key);
-    return {label.substr(0, label.find(" (rad)")) + " / π", 1.0 / pi};
-  }
-  const double largest = std::max(std::fabs(axis.low), std::fabs(axis.high));
-  if (const auto unit = study.scales ? study::unit_of(study, axis.key) : std::nullopt)
-    return PageQuantities(study).axis(key_words(axis.key), largest, unit->dimension);
-  return {axis_label(axis.key), 1.0};
-}
-
 std::string words_of(const Study& study, const SliceAxis& axis) {
-  const AxisWords words = words_for(study, axis);
+  const AxisWords words = axis_words(study, axis);
   return fmt::format("{} from {:.4g} to {:.4g}", words.label, axis.low * words.factor, axis.high * words.factor);
 }
 
@@ -99,30 +84,17 @@ class Shade {
   std::map<short, Outcome> outcomes_;
 };
 
-Raster raster_of(const BasinSlice& map) {
-  const Shade shade(map);
-  Raster raster{static_cast<std::size_t>(map.x.pixels), static_cast<std::size_t>(map.y.pixels), {}, {}};
-  for (int row = map.y.pixels - 1; row >= 0; --row)
-    for (int column = 0; column < map.x.pixels; ++column) raster.add(shade.colour(map.at(column, row)));
-  return raster;
-}
-
 std::string map_svg(const BasinSlice& map) {
-  std::vector<LegendEntry> legend;
+  PlanePicture picture("Outcome of the start at every point of the plane", map.study, map.x, map.y);
+  const Shade shade(map);
+  picture.fill(map.x.pixels, map.y.pixels, [&](int column, int row) { return shade.colour(map.at(column, row)); });
   for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
-      legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), part_words(c.share.share))});
-  const std::vector<Border> borders{
-      {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, "balance ceases to exist"},
-      {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, "stability of balance changes"}};
-  add_to_legend(legend, borders);
-  Svg svg(drawing_width, below_plane, "Outcome of the start at every point of the plane");
-  const SvgAxes axes(svg, plane_top_left, plane_bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
-                     words_for(map.study, map.x), words_for(map.study, map.y));
-  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(map)));  // over the grid
-  draw_borders(svg, axes, borders);
-  draw_legend(svg, legend);
-  return svg.str();
+      picture.legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), part_words(c.share.share))});
+  picture.draw(
+      {{zero_line(map.x, map.y, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, "balance ceases to exist"},
+       {zero_line(map.x, map.y, map.balance_growth), {"#000000", "", 1.5}, "stability of balance changes"}});
+  return picture.str();
 }
 
 }  // namespace

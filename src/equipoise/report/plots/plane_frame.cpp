@@ -1,4 +1,4 @@
-// Crossings of zero between neighbouring pixels; borders over a plane.
+// Crossings of zero between neighbouring pixels; a plane with its borders.
 #include "equipoise/report/plots/plane_frame.hpp"
 
 #include <algorithm>
@@ -7,9 +7,20 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+
 namespace equipoise {
 
 namespace {
+
+constexpr double side = 358.0;
+constexpr SvgPoint top_left{58.0, 10.0}, bottom_right{top_left.x + side, top_left.y + side};
+constexpr double below = bottom_right.y + 42.0;  // where the legend begins
 
 // A field known at the pixels' centres, extrapolated linearly to the edges.
 class MapField {
@@ -69,12 +80,8 @@ MapLine followed(std::map<long, Crossing>& crossings, long edge) {
 
 }  // namespace
 
-std::vector<MapLine> zero_line(const BasinSlice& map, const std::vector<float>& values) {
-  if (values.size() != map.code.size()) return {};  // the same everywhere
-  return zero_line(map.x, map.y, values);
-}
-
 std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values) {
+  if (values.size() != static_cast<std::size_t>(x.pixels) * static_cast<std::size_t>(y.pixels)) return {};
   std::map<long, Crossing> crossings;  // by the number of the edge
   const MapField field(x, y, values);
   constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
@@ -107,19 +114,45 @@ std::string part_words(double part) {
   return part > 0.0 && part < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * part);
 }
 
-void add_to_legend(std::vector<LegendEntry>& legend, const std::vector<Border>& borders) {
-  for (const Border& b : borders)
-    if (!b.lines.empty()) legend.push_back({b.pen, b.meaning, LegendEntry::Mark::line});
+AxisWords axis_words(const Study& study, const SliceAxis& axis) {
+  if (axis.angle()) {
+    const std::string label = axis_label(axis.key);
+    return {label.substr(0, label.find(" (rad)")) + " / π", 1.0 / pi};
+  }
+  const auto unit = study::unit_of(study, axis.key);
+  if (!unit) return {axis_label(axis.key), 1.0};
+  const double largest = std::max(std::fabs(axis.low), std::fabs(axis.high));
+  const EngineeringUnit e = engineering_unit(largest * unit->scale, unit->dimension);
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, false, e.name};
 }
 
-void draw_borders(Svg& svg, const SvgAxes& axes, const std::vector<Border>& borders) {
-  for (const bool below : {true, false})  // no line is hidden by what is below another
+PlanePicture::PlanePicture(const std::string& described, const Study& study, const SliceAxis& x, const SliceAxis& y)
+    : svg(drawing_width, below, described),
+      axes(svg, top_left, bottom_right, {x.low, x.high}, {y.low, y.high}, axis_words(study, x), axis_words(study, y)) {}
+
+void PlanePicture::fill(int columns, int rows, const std::function<std::string(int column, int row)>& colour) {
+  Raster raster{static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), {}, {}};
+  for (int row = rows - 1; row >= 0; --row)
+    for (int column = 0; column < columns; ++column) raster.add(colour(column, row));
+  svg.image(top_left, side, side, png_bytes(raster));
+}
+
+void PlanePicture::draw(const std::vector<Border>& borders) {
+  for (const bool light : {true, false})  // no line is hidden by what is below another
     for (const Border& b : borders)
       for (const MapLine& line : b.lines) {
         std::vector<SvgPoint> way;
         for (const MapPoint& p : line) way.push_back(axes.at(p[0], p[1]));
-        svg.path(way, below ? SvgPen{"#ffffff", "", b.pen.width + 2.0} : b.pen);
+        svg.path(way, light ? SvgPen{"#ffffff", "", b.pen.width + 2.0} : b.pen);
       }
+  for (const Border& b : borders)
+    if (!b.lines.empty()) legend.push_back({b.pen, b.meaning, LegendEntry::Mark::line});
+}
+
+std::string PlanePicture::str() {
+  draw_legend(svg, legend);
+  legend.clear();
+  return svg.str();
 }
 
 }  // namespace equipoise

@@ -1,8 +1,9 @@
-// What drawings of a plane of two quantities share: a square frame, as most planes are square, and borders over it,
-// such as those on which a quantity known at the pixels changes sign.
+// Pictures of a plane of two quantities: coloured squares in a square frame, as most planes are square, and borders
+// over them, such as those on which a quantity known at the pixels changes sign.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,24 +13,23 @@
 
 namespace equipoise {
 
-inline constexpr double plane_side = 358.0;
-inline constexpr SvgPoint plane_top_left{58.0, 10.0},
-    plane_bottom_right{plane_top_left.x + plane_side, plane_top_left.y + plane_side};
-inline constexpr double below_plane = plane_bottom_right.y + 42.0;  ///< where the legend begins
-inline constexpr int most_drawn_pixels = 640;                       ///< along one side: as many as a page is wide
+inline constexpr int most_drawn_pixels = 640;  ///< along one side: as many as a page is wide
 
 /// A part of the plane: "12.3 %", "< 0.1 %".
 std::string part_words(double part);
+
+/// An axis of the plane: angles of balls in parts of a turn, quantities in the unit that suits the largest value,
+/// others as in other pictures.
+AxisWords axis_words(const Study& study, const SliceAxis& axis);
 
 using MapPoint = std::array<double, 2>;
 
 /// Points along a line; the last is the first again if the line is closed.
 using MapLine = std::vector<MapPoint>;
 
-/// The lines on which a field is zero, by linear interpolation along the edges of every cell between four centres. They
-/// break off next to undefined values. Empty if the field is the same everywhere.
-std::vector<MapLine> zero_line(const BasinSlice& map, const std::vector<float>& values);
-/// The same for values at the centres of the pixels of two axes, row by row.
+/// The lines on which a field is zero, known at the centres of the pixels of two axes, row by row: by linear
+/// interpolation along the edges of every cell between four centres. They break off next to undefined values. Empty if
+/// the field has not a value for every pixel: it is then the same everywhere.
 std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values);
 
 /// Lines of one meaning.
@@ -38,8 +38,23 @@ struct Border {
   SvgPen pen;
   std::string meaning;
 };
-/// Borders that a plane has: in its legend, and over what is drawn so far, light below dark to be seen on any colour.
-void add_to_legend(std::vector<LegendEntry>& legend, const std::vector<Border>& borders);
-void draw_borders(Svg& svg, const SvgAxes& axes, const std::vector<Border>& borders);
+
+/// The frame with its axes, and what its legend names so far.
+struct PlanePicture {
+  Svg svg;
+  SvgAxes axes;
+  std::vector<LegendEntry> legend;
+
+  /// `described`: what the picture shows, for those who cannot see it.
+  PlanePicture(const std::string& described, const Study& study, const SliceAxis& x, const SliceAxis& y);
+
+  /// Covers the grid with squares; `colour`: "#rrggbb" of a column and a row, rows from below.
+  void fill(int columns, int rows, const std::function<std::string(int column, int row)>& colour);
+  /// Borders that the plane has, named in the legend: over what is drawn so far, light below dark to be seen on any
+  /// colour.
+  void draw(const std::vector<Border>& borders);
+  /// With the legend below.
+  std::string str();
+};
 
 }  // namespace equipoise
