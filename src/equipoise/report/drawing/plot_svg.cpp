@@ -61,12 +61,37 @@ PlotExtents extents_of(const Plot& plot) {
 
 bool covers(const PlotSeries& s) { return s.style == PlotSeries::Style::line; }
 
+constexpr double band_opacity = 0.25;
+
+// From edge to edge.
+void draw_edges(Svg& svg, const SvgAxes& axes, const PlotSeries& s) {
+  std::vector<SvgPoint> low, high;
+  for (std::size_t i = 0; i < s.x.size(); ++i)
+    low.push_back(axes.at(s.x[i], s.low[i])), high.push_back(axes.at(s.x[i], s.high[i]));
+  if (s.style == PlotSeries::Style::band) {
+    std::vector<SvgPoint> around = low;
+    around.insert(around.end(), high.rbegin(), high.rend());
+    svg.path(around, {"", s.colour, 1.0, band_opacity}, true);
+  }
+  for (const std::vector<SvgPoint>& edge : {low, high})
+    if (edge.size() == 1)
+      svg.circle(edge.front(), 2.0, {"", s.colour});
+    else
+      svg.path(edge, {s.colour, "", s.is_dashed() ? 1.1 : 1.6, 1.0, s.is_dashed()});
+}
+
+LegendEntry legend_entry(const PlotSeries& s) {
+  using Mark = LegendEntry::Mark;
+  if (s.style == PlotSeries::Style::band) return {{s.colour, s.colour, 1.0, 2.0 * band_opacity}, s.label, Mark::square};
+  const bool points = s.style == PlotSeries::Style::points;
+  return {{s.colour, "", points ? 1.0 : 2.0, 1.0, s.is_dashed()}, s.label, points ? Mark::ring : Mark::line};
+}
+
 // `above`: number of lines drawn over this one. It is that much wider, to show where they coincide.
 void draw_series(Svg& svg, const SvgAxes& axes, const PlotSeries& s, std::size_t above, bool curve) {
-  const bool points = s.style == PlotSeries::Style::points, dashed = s.style == PlotSeries::Style::dashed;
+  const bool points = s.style == PlotSeries::Style::points, dashed = s.is_dashed();
   std::vector<SvgPoint> way;
   for (std::size_t i = 0; i < s.x.size(); ++i) way.push_back(axes.at(s.x[i], s.y[i]));
-  if (!s.label.empty()) svg.group(s.label);
   const double wider = curve ? -0.4 : 1.2 * static_cast<double>(std::min<std::size_t>(above, 2));
   if (!points) svg.path(way, {s.colour, "", 1.6 + wider, 1.0, dashed});
   for (std::size_t i = 0; i < s.low.size(); ++i) {
@@ -76,7 +101,6 @@ void draw_series(Svg& svg, const SvgAxes& axes, const PlotSeries& s, std::size_t
   }
   if (!dashed && !curve)
     for (const SvgPoint& at : way) svg.circle(at, points ? 3.5 : 2.4, {points ? s.colour : "", points ? "" : s.colour});
-  if (!s.label.empty()) svg.end_group();
 }
 
 }  // namespace
@@ -105,11 +129,9 @@ void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries) {
 std::string plot_svg(const Plot& plot, const std::string& described, double width) {
   std::vector<LegendEntry> entries;
   for (const PlotSeries& s : plot.series)
-    if (!s.label.empty() && (plot.series.size() > 1 || plot.title.empty()))
-      entries.push_back(
-          {{s.colour, "", s.style == PlotSeries::Style::points ? 1.0 : 2.0, 1.0, s.style == PlotSeries::Style::dashed},
-           s.label,
-           s.style == PlotSeries::Style::points ? LegendEntry::Mark::ring : LegendEntry::Mark::line});
+    if (!s.label.empty() && (plot.series.size() > 1 || plot.title.empty()) &&
+        std::none_of(entries.begin(), entries.end(), [&](const LegendEntry& e) { return e.name == s.label; }))
+      entries.push_back(legend_entry(s));
   Svg svg(width, drawing_height, described);
   const PlotExtents extents = extents_of(plot);
   const SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
@@ -117,7 +139,12 @@ std::string plot_svg(const Plot& plot, const std::string& described, double widt
   auto above = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), covers));
   for (const PlotSeries& s : plot.series) {
     above -= covers(s);
-    draw_series(svg, axes, s, above, plot.curves);
+    if (!s.label.empty()) svg.group(s.label);
+    if (s.has_edges())
+      draw_edges(svg, axes, s);
+    else
+      draw_series(svg, axes, s, above, plot.curves);
+    if (!s.label.empty()) svg.end_group();
   }
   draw_legend(svg, entries);
   return svg.str();

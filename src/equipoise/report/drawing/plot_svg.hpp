@@ -10,13 +10,16 @@
 namespace equipoise {
 
 struct PlotSeries {
-  enum class Style { line, dashed, points };
+  /// Of a band and of dashed edges, `low` and `high` are the edges.
+  enum class Style { line, dashed, points, band, dashed_edges };
   std::string label{};
   std::string colour{};
   Style style = Style::line;
   std::vector<double> x{}, y{};
   std::vector<double> low{}, high{};  ///< ends of intervals; empty if there are none
 
+  bool has_edges() const { return style == Style::band || style == Style::dashed_edges; }
+  bool is_dashed() const { return style == Style::dashed || style == Style::dashed_edges; }
   void add(double at, double value, double lower, double upper) {
     x.push_back(at);
     y.push_back(value);

@@ -1,15 +1,43 @@
-// Boundaries along parameters, or the balanced share over the values tried.
+// Along parameters: branches of attractors, and capacities, or the balanced share over the values tried.
 #include "equipoise/report/plots/plots.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
 
 namespace equipoise {
 
 namespace {
+
+// A series per stretch of equal stability. Ends and changes of stability are drawn where they were located, not only at
+// the next value.
+std::vector<PlotSeries> stretches_of(const Branch& branch) {
+  std::vector<PlotSeries> stretches;
+  const auto begin = [&](bool stable) {
+    stretches.push_back(
+        {legend_of(branch), colour_of(branch.id), stable ? PlotSeries::Style::band : PlotSeries::Style::dashed_edges});
+  };
+  const auto add = [&](double value, const auto& r) { stretches.back().add(value, r.r_mean, r.r_min, r.r_max); };
+  auto event = branch.events.begin();
+  std::size_t last = 0;
+  for (const BranchPoint& point : branch.points) {
+    if (stretches.empty() || point.at != last + 1) begin(point.motion.stable);
+    for (; event != branch.events.end() && event->middle() < point.value; ++event) {
+      add(event->place(), *event);
+      if (event->change != BranchChange::stability_gained && event->change != BranchChange::stability_lost) continue;
+      begin(point.motion.stable);
+      add(event->place(), *event);
+    }
+    add(point.value, point.motion);
+    last = point.at;
+  }
+  for (; event != branch.events.end(); ++event) add(event->place(), *event);
+  return stretches;
+}
 
 PlotSeries boundary_series(const SweepParameter& x, const std::vector<const CapacityCell*>& cells) {
   PlotSeries series;
@@ -21,6 +49,17 @@ PlotSeries boundary_series(const SweepParameter& x, const std::vector<const Capa
 }
 
 }  // namespace
+
+std::string branch_plot(const BranchesResult& r, const std::string& title) {
+  Plot plot{"", axis_label(r.key), "rotor displacement r / race radius", false, true, true};
+  for (const Branch& b : r.branches)
+    for (PlotSeries& stretch : stretches_of(b)) plot.series.push_back(std::move(stretch));
+  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "")},
+                   drawn({plot}, "Where the rotor can end",
+                         "Every motion from its smallest to its largest displacement: a band where it attracts, dashed "
+                         "lines where it is unstable.",
+                         true));
+}
 
 std::string capacity_title(const CapacityResult& r) {
   return fmt::format("Largest {} at which {:.4g} % of starts {}{}", r.key, 100.0 * r.at_least, r.asked(),
