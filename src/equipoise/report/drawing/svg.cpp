@@ -208,24 +208,42 @@ std::vector<double> round_ticks(AxisExtent extent, int count) {
   return ticks;
 }
 
+namespace {
+
+// Places along an axis of this many pixels, with their words; names that would touch the one before are left out.
+std::vector<std::pair<double, std::string>> ticks_of(AxisExtent extent, const AxisWords& axis, double length,
+                                                     bool across) {
+  std::vector<std::pair<double, std::string>> ticks;
+  std::size_t longest = 1;
+  for (const std::string& name : axis.names) longest = std::max(longest, name.size());
+  constexpr double letter = 6.4, line = 13.0, room_across = 70.0, room_up = 38.5;
+  const double room = across ? letter * static_cast<double>(longest + 1) : line;
+  const auto every =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(room * static_cast<double>(axis.names.size()) / length)));
+  for (std::size_t k = 0; k < axis.names.size(); k += every)
+    ticks.emplace_back(static_cast<double>(k) + 0.5, axis.names[k]);
+  if (!ticks.empty()) return ticks;
+  const AxisExtent shown{extent.low * axis.factor, extent.high * axis.factor};
+  const double count = std::max(3.0, length / (across ? room_across : room_up));
+  for (const double t : axis.log ? decades(shown) : round_ticks(shown, static_cast<int>(std::lround(count))))
+    ticks.emplace_back(t / axis.factor, tick_words(t, axis.log));
+  return ticks;
+}
+
+}  // namespace
+
 SvgAxes::SvgAxes(Svg& svg, SvgPoint top_left, SvgPoint bottom_right, AxisExtent x, AxisExtent y,
                  const AxisWords& x_words, const AxisWords& y_words)
     : svg_(svg), top_left_(top_left), bottom_right_(bottom_right), x_(x), y_(y), log_(x_words.log) {
-  constexpr double pixels_a_tick = 70.0, least_ticks = 3.0;
-  const auto ticks = [&](AxisExtent extent, double factor, double length, double pixels) {
-    const double count = std::max(least_ticks, length / pixels);
-    return round_ticks({extent.low * factor, extent.high * factor}, static_cast<int>(std::lround(count)));
-  };
-  for (const double t : log_ ? decades({x.low * x_words.factor, x.high * x_words.factor})
-                             : ticks(x, x_words.factor, bottom_right.x - top_left.x, pixels_a_tick)) {
-    const SvgPoint foot = {at(t / x_words.factor, y.low).x, bottom_right.y};
+  for (const auto& [place, words] : ticks_of(x, x_words, bottom_right.x - top_left.x, true)) {
+    const SvgPoint foot = {at(place, y.low).x, bottom_right.y};
     svg_.line(foot, {foot.x, foot.y + 4.0}, {quiet_ink, ""});
-    svg_.text({foot.x, foot.y + 15.0}, tick_words(t, log_), SvgAnchor::middle, quiet_ink);
+    svg_.text({foot.x, foot.y + 15.0}, words, SvgAnchor::middle, quiet_ink);
   }
-  for (const double t : ticks(y, y_words.factor, bottom_right.y - top_left.y, 0.55 * pixels_a_tick)) {
-    const SvgPoint foot = {top_left.x, at(x.low, t / y_words.factor).y};
+  for (const auto& [place, words] : ticks_of(y, y_words, bottom_right.y - top_left.y, false)) {
+    const SvgPoint foot = {top_left.x, at(x.low, place).y};
     svg_.line(foot, {bottom_right.x, foot.y}, {rule_colour, "", 0.7});
-    svg_.text({foot.x - 5.0, foot.y + 4.0}, fmt::format("{:.6g}", t), SvgAnchor::end, quiet_ink);
+    svg_.text({foot.x - 5.0, foot.y + 4.0}, words, SvgAnchor::end, quiet_ink);
   }
   svg_.line({top_left.x, bottom_right.y}, bottom_right, {quiet_ink, ""});
   svg_.line(top_left, {top_left.x, bottom_right.y}, {quiet_ink, ""});

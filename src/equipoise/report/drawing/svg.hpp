@@ -89,6 +89,7 @@ struct AxisWords {
   double factor = 1.0;
   bool log = false;
   std::string unit{};
+  std::vector<std::string> names{};  ///< of the cells 0 to 1, 1 to 2 and so on, instead of ticks with numbers
 };
 
 /// A frame with axes inside a picture.

@@ -9,7 +9,7 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/report/html/given_keys.hpp"
+#include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"

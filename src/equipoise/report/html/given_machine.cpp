@@ -1,12 +1,74 @@
-// What the study states, and what explain() finds.
+// Reads a study's tree for display, and adds what explain() finds.
 #include "equipoise/report/html/given_machine.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/html/given_keys.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
 
 namespace equipoise {
+
+namespace {
+
+std::string words_of(const std::string& key) {
+  std::string words = key;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string words_of_value(const StudyValue& value) {
+  if (const auto* table = value.table()) {
+    std::string text;
+    for (const auto& [key, member] : *table)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(key), words_of_value(member));
+    return text;
+  }
+  if (const auto* array = value.array()) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (std::size_t k = 0; k < array->size() && k < most; ++k) text += (k ? ", " : "") + words_of_value((*array)[k]);
+    return array->size() > most ? text + ", ..." : text;
+  }
+  if (const auto* truth = value.boolean()) return *truth ? "yes" : "no";
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* number = value.real()) return fmt::format("{}", *number);
+  return value.string() ? *value.string() : value.other()->text;
+}
+
+void add_table(const std::string& name, const StudyValue& value, std::vector<GivenTable>& tables) {
+  if (!value.table() || value.table()->empty()) return;
+  GivenTable given{name, {}};
+  for (const auto& [key, member] : *value.table()) given.keys.push_back({words_of(key), words_of_value(member)});
+  tables.push_back(std::move(given));
+}
+
+std::vector<GivenTable> tables_of(const StudyValue& root) {
+  std::vector<GivenTable> tables;
+  for (const char* name : told_tables) {
+    const StudyValue* found = root.find(name);
+    if (!found) continue;
+    add_table(name, *found, tables);
+    if (!found->array()) continue;
+    for (std::size_t k = 0; k < found->array()->size(); ++k)
+      add_table(fmt::format("{} {}", name, k + 1), (*found->array())[k], tables);
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::vector<GivenTable> given_tables(const std::string& toml_text, const std::string& name,
+                                     const std::vector<std::string>& overrides) {
+  return tables_of(study::parse_study_file(toml_text, name, overrides).root);
+}
+
+std::vector<GivenTable> given_tables(const Study& study) {
+  return study.scales ? given_tables(to_physical_toml(study), study.name) : tables_of(to_tree(study));
+}
 
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides, const StopFlag* stop) {

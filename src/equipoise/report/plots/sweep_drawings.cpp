@@ -40,42 +40,11 @@ QuantileEstimate peak_quantile(const SweepResult& r, std::size_t cell, std::size
   return estimate;
 }
 
-// Cells of a table, with labels for rows and columns where they fit.
-struct HeatGrid {
-  SvgPoint top_left{58.0, 10.0}, bottom_right{416.0, 236.0};
-  std::size_t columns, rows;
-
-  double width() const { return (bottom_right.x - top_left.x) / static_cast<double>(columns); }
-  double height() const { return (bottom_right.y - top_left.y) / static_cast<double>(rows); }
-  SvgPoint corner(std::size_t column, std::size_t row) const {  // rows from below
-    return {top_left.x + width() * static_cast<double>(column),
-            bottom_right.y - height() * static_cast<double>(row + 1)};
-  }
-};
-
-constexpr double letter = 6.4;  // wide
-
 std::vector<std::string> heat_labels(const SweepParameter& p, const std::vector<std::size_t>& order) {
   std::vector<std::string> labels;
   labels.reserve(order.size());
   for (const std::size_t k : order) labels.push_back(fmt::format("{:.4g}", p.values[k]));
   return labels;
-}
-
-// Labels every k-th value, so that labels do not overlap.
-void label_grid(Svg& svg, const HeatGrid& grid, const std::vector<std::string>& x, const std::vector<std::string>& y) {
-  std::size_t longest = 1;
-  for (const std::string& label : x) longest = std::max(longest, label.size());
-  const auto every = [](double needed, double room) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(needed / room)));
-  };
-  const std::size_t every_x = every(letter * static_cast<double>(longest + 1), grid.width());
-  const std::size_t every_y = every(13.0, grid.height());
-  for (std::size_t k = 0; k < x.size(); k += every_x)
-    svg.text({grid.corner(k, 0).x + 0.5 * grid.width(), grid.bottom_right.y + 14.0}, x[k], SvgAnchor::middle,
-             quiet_ink);
-  for (std::size_t k = 0; k < y.size(); k += every_y)
-    svg.text({grid.top_left.x - 5.0, grid.corner(0, k).y + 0.5 * grid.height() + 4.0}, y[k], SvgAnchor::end, quiet_ink);
 }
 
 void draw_scale(Svg& svg, double top) {
@@ -89,12 +58,14 @@ void draw_scale(Svg& svg, double top) {
   svg.text({right + 6.0, top + 9.0}, "100 %", SvgAnchor::start, quiet_ink);
 }
 
-void draw_cell(Svg& svg, const HeatGrid& grid, SvgPoint corner, double share) {
+void draw_cell(Svg& svg, const SvgAxes& axes, double column, double row, double share) {
+  const SvgPoint corner = axes.at(column, row + 1.0), end = axes.at(column + 1.0, row);
+  const double width = end.x - corner.x, height = end.y - corner.y;
   // Slightly larger than the cell, so that the page does not show through between neighbours.
-  svg.rectangle(corner, grid.width() + 0.3, grid.height() + 0.3, {"", heat_colour(share)});
+  svg.rectangle(corner, width + 0.3, height + 0.3, {"", heat_colour(share)});
   constexpr double least_width = 22.0, least_height = 11.0, light = 0.55;
-  if (grid.width() < least_width || grid.height() < least_height) return;
-  svg.text({corner.x + 0.5 * grid.width(), corner.y + 0.5 * grid.height() + 3.5}, fmt::format("{:.0f}", 100.0 * share),
+  if (width < least_width || height < least_height) return;
+  svg.text({corner.x + 0.5 * width, corner.y + 0.5 * height + 3.5}, fmt::format("{:.0f}", 100.0 * share),
            SvgAnchor::middle, share > light ? "#000000" : "#ffffff", 10.0);
 }
 
@@ -135,17 +106,16 @@ std::string heat_svg(const SweepResult& r, std::size_t first) {
   const SweepParameter& y = r.axes[r.axes.size() - 2].parameters.front();
   const SweepParameter& x = r.axes.back().parameters.front();
   const std::vector<std::size_t> columns = rising(x.values), rows = rising(y.values);
-  HeatGrid grid{.columns = columns.size(), .rows = rows.size()};
   constexpr double scale_top = 282.0;
   Svg svg(drawing_width, scale_top + 16.0, "Balanced share of the starts over two parameters");
+  const SvgAxes axes(svg, {58.0, 10.0}, {416.0, 236.0}, {0.0, static_cast<double>(columns.size())},
+                     {0.0, static_cast<double>(rows.size())},
+                     {label_with_unit(x.key, x.unit), 1.0, false, "", heat_labels(x, columns)},
+                     {label_with_unit(y.key, y.unit), 1.0, false, "", heat_labels(y, rows)});
   for (std::size_t j = 0; j < rows.size(); ++j)
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (const auto& cell = r.cells[first + rows[j] * columns.size() + columns[i]])
-        draw_cell(svg, grid, grid.corner(i, j), cell->outcomes.front().share.share);
-  label_grid(svg, grid, heat_labels(x, columns), heat_labels(y, rows));
-  svg.text({0.5 * (grid.top_left.x + grid.bottom_right.x), grid.bottom_right.y + 31.0}, label_with_unit(x.key, x.unit),
-           SvgAnchor::middle, quiet_ink);
-  svg.text_upwards({11.0, 0.5 * (grid.top_left.y + grid.bottom_right.y)}, label_with_unit(y.key, y.unit));
+        draw_cell(svg, axes, static_cast<double>(i), static_cast<double>(j), cell->outcomes.front().share.share);
   draw_scale(svg, scale_top);
   return svg.str();
 }
