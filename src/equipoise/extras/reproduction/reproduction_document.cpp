@@ -18,9 +18,6 @@ namespace equipoise {
 
 namespace {
 
-// Four colours that differ in hue and in lightness (after M. Okabe, K. Ito, Color Universal Design, 2008).
-constexpr std::array four{"#0072B2", "#D55E00", "#009E73", "#E69F00"};
-
 void add(PlotSeries& series, double x, const Share& share) {
   series.add(x, 100.0 * share.share, 100.0 * share.low, 100.0 * share.high);
 }
@@ -38,8 +35,9 @@ std::optional<Plot> table_plot(const ReproducedTable& table) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::string of = names[k].empty() ? "" : names[k] + ": ";
     const Style style = k % 2 == 0 || many ? Style::line : Style::dashed;
-    PlotSeries published{of + (table.published->ramps ? "published law" : "computed"), many ? four[k % 4] : dark_colour,
-                         style},
+    const std::size_t colour = k + (k > 0);  // the light one is the kinematic law's
+    PlotSeries published{of + (table.published->ramps ? "published law" : "computed"),
+                         many ? series_colours[colour % series_colours.size()] : dark_colour, style},
         kinematic{of + "kinematic law", light_colour, style},
         printed{k + 1 == names.size() ? "printed" : "", "#222222", Style::points};
     for (const ReproducedRow& row : table.rows) {

@@ -1,6 +1,7 @@
 // Colours and labels that all pictures share.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,11 @@ std::string heat_colour(double share);
 /// A colour on the way from one to another, both "#rrggbb": 0 the first, 1 the second.
 std::string mixed_colour(const char* from, const char* to, double part);
 
-/// Two colours that are distinct for any kind of colour vision and in a greyscale print.
-inline constexpr const char* dark_colour = "#0072B2";
-inline constexpr const char* light_colour = "#E69F00";
+/// Colours of series, distinct for any kind of colour vision; the first two, dark and light, also in a greyscale print.
+inline constexpr std::array series_colours{"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#666666"};
+inline constexpr const char* dark_colour = series_colours[0];
+inline constexpr const char* light_colour = series_colours[1];
+inline constexpr const char* chosen_colour = series_colours[3];
+inline constexpr const char* grey_colour = series_colours[6];
 
 }  // namespace equipoise

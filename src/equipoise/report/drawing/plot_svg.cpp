@@ -63,21 +63,13 @@ bool covers(const PlotSeries& s) { return s.style == PlotSeries::Style::line; }
 
 constexpr double band_opacity = 0.25;
 
-// From edge to edge.
-void draw_edges(Svg& svg, const SvgAxes& axes, const PlotSeries& s) {
-  std::vector<SvgPoint> low, high;
-  for (std::size_t i = 0; i < s.x.size(); ++i)
-    low.push_back(axes.at(s.x[i], s.low[i])), high.push_back(axes.at(s.x[i], s.high[i]));
-  if (s.style == PlotSeries::Style::band) {
-    std::vector<SvgPoint> around = low;
-    around.insert(around.end(), high.rbegin(), high.rend());
-    svg.path(around, {"", s.colour, 1.0, band_opacity}, true);
-  }
-  for (const std::vector<SvgPoint>& edge : {low, high})
-    if (edge.size() == 1)
-      svg.circle(edge.front(), 2.0, {"", s.colour});
+void draw_edges(Svg& svg, SvgAxes& axes, const PlotSeries& s) {
+  if (s.style == PlotSeries::Style::band) axes.band(s.x, s.low, s.high, {"", s.colour, 1.0, band_opacity});
+  for (const std::vector<double>* edge : {&s.low, &s.high})
+    if (s.x.size() == 1)
+      svg.circle(axes.at(s.x.front(), edge->front()), 2.0, {"", s.colour});
     else
-      svg.path(edge, {s.colour, "", s.is_dashed() ? 1.1 : 1.6, 1.0, s.is_dashed()});
+      axes.line(s.x, *edge, {s.colour, "", s.is_dashed() ? 1.1 : 1.6, 1.0, s.is_dashed()});
 }
 
 LegendEntry legend_entry(const PlotSeries& s) {
@@ -134,8 +126,8 @@ std::string plot_svg(const Plot& plot, const std::string& described, double widt
       entries.push_back(legend_entry(s));
   Svg svg(width, drawing_height, described);
   const PlotExtents extents = extents_of(plot);
-  const SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
-                     extents.x, extents.y, {plot.x_label, 1.0, plot.log_x}, {plot.y_label});
+  SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
+               extents.x, extents.y, {plot.x_label, 1.0, plot.log_x}, {plot.y_label});
   auto above = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), covers));
   for (const PlotSeries& s : plot.series) {
     above -= covers(s);

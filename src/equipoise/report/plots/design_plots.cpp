@@ -53,8 +53,8 @@ std::vector<Plot> front_plots(const DesignResult& r) {
     const std::size_t k = r.objectives[g];
     Plot plot{"", figure_label(first), figure_label(r.figures[k])};
     PlotSeries front{"not beaten by any", dark_colour, PlotSeries::Style::points};
-    PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points};
-    PlotSeries before{design_as_given, "#666666", PlotSeries::Style::points};
+    PlotSeries best{"chosen", chosen_colour, PlotSeries::Style::points};
+    PlotSeries before{design_as_given, grey_colour, PlotSeries::Style::points};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;
@@ -123,7 +123,7 @@ std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
       if (!p.sample.figures.empty()) add_point(series, p.value, r.figures[k], p.sample.figures[k]);
     }
     if (!here) add_point(series, m.value, r.figures[k], m.here.figures[k]);
-    PlotSeries chosen{"chosen", "#D55E00", PlotSeries::Style::points};
+    PlotSeries chosen{"chosen", chosen_colour, PlotSeries::Style::points};
     add_point(chosen, m.value, r.figures[k], m.here.figures[k]);
     Plot plot{
         "", unit_label(margin_name(m.key), m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};

@@ -2,7 +2,6 @@
 #include "equipoise/report/plots/plots.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -67,8 +66,6 @@ std::string capacity_title(const CapacityResult& r) {
 }
 
 std::vector<Plot> capacity_plots(const CapacityResult& r) {
-  // Distinct for any kind of colour vision, as in other pictures.
-  constexpr std::array colours{"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#666666"};
   const std::string y_label = label_with_unit(r.key, r.unit);
   std::vector<Plot> plots;
   if (r.axes.empty()) {
@@ -97,7 +94,7 @@ std::vector<Plot> capacity_plots(const CapacityResult& r) {
         cells.push_back(cell ? &*cell : nullptr);
       }
       PlotSeries series = boundary_series(x, cells);
-      series.colour = colours[second % colours.size()];
+      series.colour = series_colours[second % series_colours.size()];
       if (r.axes.size() > 1) {
         const SweepParameter& p = r.axes[1].parameters.front();
         series.label = fmt::format("{} = {}", p.key, p.given[second]);
