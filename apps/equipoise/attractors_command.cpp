@@ -9,7 +9,6 @@
 #include "commands.hpp"
 #include "equipoise/analyses/continuation/continuation.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
-#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/branches_file.hpp"
 #include "options.hpp"
@@ -62,7 +61,7 @@ int follow_along(const AttractorsArguments& a) {
   put(a.json ? branches_json(result) : result_text(result, text_style()));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
-  if (!a.plot.empty()) write_file(a.plot, branch_plot(result, file_title(result.study)));
+  if (!a.plot.empty()) write_file(a.plot, result_svg(result, file_title(result.study)));
   return result.partial ? ended_early(progress.left(), nullptr, "") : done;
 }
 

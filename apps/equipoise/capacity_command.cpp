@@ -89,9 +89,8 @@ int run_capacity(CapacityArguments& a) {
   ProgressLine progress(a.quiet, options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
-  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return json_text(result); },
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
-                [&] { return plot_file(capacity_title(result), capacity_plots(result)); },
                 [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};

@@ -60,10 +60,9 @@ int run_design(const DesignArguments& a) {
   ProgressLine progress(a.quiet, options);
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
-  put_forms(a,
-            {[&] { return result_text(result, text_style()); }, [&] { return json_text(result); },
-             [&] { return design_csv(result); }, [&] { return plot_file(design_title(result), design_plots(result)); },
-             [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return design_json(result); },
+                [&] { return design_csv(result); },
+                [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {

@@ -16,7 +16,6 @@
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -56,24 +55,24 @@ BasinSlice computed(const Study& study, const BasinSliceSettings& how) { return 
 
 // They refer to the result and the source.
 FormMakers forms_of(const StabilityPlane& plane, const StudySource&) {
-  return {[&] { return result_text(plane, text_style()); },
+  return {plane.study,
+          [&] { return document_of(plane); },
           [&] { return stability_json(plane); },
           [&] { return stability_csv(plane); },
-          [&] { return stability_plot(plane, file_title(plane.study)); },
           {}};
 }
 FormMakers forms_of(const BifurcationChart& chart, const StudySource&) {
-  return {[&] { return result_text(chart, text_style()); },
+  return {chart.plane.study,
+          [&] { return document_of(chart); },
           [&] { return chart_json(chart); },
           [&] { return chart_csv(chart); },
-          [&] { return chart_plot(chart, file_title(chart.plane.study)); },
           {}};
 }
 FormMakers forms_of(const BasinSlice& map, const StudySource& source) {
-  return {[&] { return result_text(map, text_style()); },
-          [&] { return json_text(map); },
+  return {map.study,
+          [&] { return document_of(map); },
+          [&] { return map_json(map); },
           {},
-          [&] { return map_plot(map, file_title(map.study)); },
           [&] { return result_page(map, given_machine(source.toml, source.name, source.overrides)); }};
 }
 

@@ -86,7 +86,7 @@ std::vector<Picture> draw_pictures(const Document& document, const std::string& 
     const auto* row = std::get_if<DrawingRow>(&block);
     if (!row) continue;
     pictures.push_back({heading.anchor, heading.text, fmt::format("{}/{}.svg", folder, heading.anchor)});
-    write_file(pictures.back().path, plot_file(heading.text, {}, *row));
+    write_file(pictures.back().path, document_svg({"", {*row}}, heading.text));
   }
   return pictures;
 }

@@ -35,9 +35,10 @@ void check_forms(const ResultForms& forms) {
 }
 
 void put_forms(const ResultForms& forms, const FormMakers& makers) {
-  put(forms.json ? makers.json() : makers.text());
+  const Document document = !forms.json || !forms.plot.empty() ? makers.document() : Document();
+  put(forms.json ? makers.json() : document_text(document, text_style()));
   if (!forms.csv.empty()) write_file(forms.csv, makers.csv());
-  if (!forms.plot.empty()) write_file(forms.plot, makers.plot());
+  if (!forms.plot.empty()) write_file(forms.plot, document_svg(document, file_title(makers.study)));
   if (!forms.report.empty()) write_file(forms.report, makers.html());
 }
 

@@ -30,9 +30,12 @@ void check_forms(const ResultForms& forms);
 /// The name of the study's file: the title of its pictures.
 std::string file_title(const Study& study);
 
-/// How to make each form of a result.
+/// How to make each form of a result. Text and picture are made of its document; `study`: whose name is the picture's
+/// title.
 struct FormMakers {
-  std::function<std::string()> text, json, csv, plot, html;
+  const Study& study;
+  std::function<Document()> document;
+  std::function<std::string()> json, csv, html;
 };
 /// Prints and writes.
 void put_forms(const ResultForms& forms, const FormMakers& makers);

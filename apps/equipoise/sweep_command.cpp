@@ -38,9 +38,8 @@ struct SweepArguments : ResultForms {
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
-  put_forms(a, {[&] { return result_text(result, text_style()); }, [&] { return json_text(result); },
-                [&] { return sweep_csv(result); }, [&] { return sweep_plot(result, file_title(result.study)); },
-                [&] { return result_page(result, machine()); }});
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return sweep_json(result); },
+                [&] { return sweep_csv(result); }, [&] { return result_page(result, machine()); }});
 }
 
 constexpr FormWords sweep_words{"one line per cell and outcome (.csv)",

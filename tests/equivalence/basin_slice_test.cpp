@@ -356,7 +356,7 @@ void holds_in_its_file_what_it_holds(const BasinSlice& map) {
 }
 
 void names_in_its_picture_what_it_shows(const BasinSlice& map) {
-  const std::string picture = map_plot(map, "Where the rotor ends");
+  const std::string picture = result_svg(map, "Where the rotor ends");
   for (const OutcomeShare& c : map.codes)
     EXPECT_EQ(picture.find(">" + (c.alias.empty() ? "" : c.alias + ": ") + c.name + ",") != picture.npos,
               c.share.count > 0);

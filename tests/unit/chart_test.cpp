@@ -503,19 +503,19 @@ TEST(Chart, AStoppedChartIsPartialAndThreadsMakeNoDifference) {
   EXPECT_TRUE(holds(result_text(stopped), "PARTIAL"));
   EXPECT_TRUE(chart_csv(stopped).starts_with("# equipoise ")) << chart_csv(stopped);
   EXPECT_TRUE(holds(chart_csv(stopped), ", PARTIAL: stopped early\ncurve,kind"));
-  EXPECT_TRUE(holds(chart_plot(stopped, "rotor"), "PARTIAL: stopped early"));
+  EXPECT_TRUE(holds(result_svg(stopped, "rotor"), "PARTIAL: stopped early"));
   settings.stop = nullptr;
   settings.threads = 1;
   const BifurcationChart one = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
   settings.threads = 3;
   const BifurcationChart three = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
-  EXPECT_FALSE(holds(result_text(one) + chart_csv(one) + chart_plot(one, "rotor"), "PARTIAL"));
+  EXPECT_FALSE(holds(result_text(one) + chart_csv(one) + result_svg(one, "rotor"), "PARTIAL"));
   EXPECT_EQ(chart_csv(one), chart_csv(three));
   EXPECT_EQ(chart_answer(one), chart_answer(three));
 }
 
 TEST(Chart, ThePictureNamesWhatItShows) {
-  const std::string picture = chart_plot(wide_chart(), "rotor");
+  const std::string picture = result_svg(wide_chart(), "rotor");
   for (const char* words : {"balance is lost softly", "balance is lost abruptly", "proved: stable", "proved: unstable",
                             "not decided", "where curves change their kind"})
     EXPECT_TRUE(holds(picture, words)) << words;

@@ -210,7 +210,7 @@ TEST(ContinuumPlane, TellsHowMuchOfTheContinuumIsStableAndHowFast) {
   const auto json = nlohmann::json::parse(json_text(plane));
   EXPECT_EQ(json["one_of_many"], true);
   EXPECT_EQ(json["own"]["continuum"]["stable"], part.stable);
-  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "balls spread evenly"));
+  EXPECT_TRUE(holds(result_svg(plane, "rotor"), "balls spread evenly"));
 }
 
 TEST(ContinuumPlane, OfTwoBallsSaysNothingOfAContinuum) {
@@ -226,7 +226,7 @@ TEST(ContinuumPlane, AChartSaysIt) {
   EXPECT_TRUE(holds(chart_answer(chart), "balance with the balls spread evenly, one state of a continuum, is"));
   EXPECT_TRUE(holds(result_text(chart), "inscribed"));
   EXPECT_EQ(nlohmann::json::parse(chart_json(chart))["one_of_many"], true);
-  EXPECT_TRUE(holds(chart_plot(chart, "rotor"), "balls spread evenly"));
+  EXPECT_TRUE(holds(result_svg(chart, "rotor"), "balls spread evenly"));
 }
 
 // Two unlike balls in each of two planes: each plane closes its triangle in two ways, and between drags and speeds at

@@ -383,7 +383,7 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
   for (std::size_t k = 0; k < chart.region_of.size(); ++k)
     EXPECT_EQ(chart.regions[static_cast<std::size_t>(chart.region_of[k])].balance, chart.plane.points[k].kind);
   EXPECT_TRUE(holds(result_text(chart), "balls together stable")) << result_text(chart);
-  EXPECT_TRUE(holds(chart_plot(chart, ""), ">A</text>"));
+  EXPECT_TRUE(holds(result_svg(chart, ""), ">A</text>"));
 }
 
 TEST(LockedChart, IsTheSameWhateverTheThreads) {

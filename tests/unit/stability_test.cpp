@@ -344,7 +344,7 @@ TEST(Stability, AStoppedPlaneIsPartial) {
   EXPECT_TRUE(holds(result_text(plane), "PARTIAL: 0 of 9 points"));
   EXPECT_TRUE(holds(stability_answer(plane), "nothing was computed (PARTIAL)"));
   EXPECT_TRUE(holds(stability_csv(plane).substr(0, stability_csv(plane).find('\n')), "PARTIAL: stopped early"));
-  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "PARTIAL: stopped early"));
+  EXPECT_TRUE(holds(result_svg(plane, "rotor"), "PARTIAL: stopped early"));
 }
 
 TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
@@ -376,7 +376,7 @@ TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {
   EXPECT_TRUE(holds(stability_answer(plane), "; 66.7 % of the plane was not computed (PARTIAL)."))
       << stability_answer(plane);
   EXPECT_TRUE(holds(result_text(plane), "not computed")) << result_text(plane);
-  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "not computed, 66.7 %"));
+  EXPECT_TRUE(holds(result_svg(plane, "rotor"), "not computed, 66.7 %"));
 }
 
 TEST(Stability, AnswersForThePlaneAndForTheStudy) {
@@ -397,7 +397,7 @@ TEST(Stability, AnswersForThePlaneAndForTheStudy) {
   EXPECT_FALSE(holds(slow, "it is stable")) << slow;
   const std::string outside = stability_answer(stability(paper_rotor(8.0, 0.05), settings));
   EXPECT_TRUE(holds(outside, "outside the plane")) << outside;
-  const std::string picture = stability_plot(plane, "rotor");
+  const std::string picture = result_svg(plane, "rotor");
   for (const char* words : {"a pair crosses (Hopf)", "balance ends", "the study"})
     EXPECT_TRUE(holds(picture, words)) << words;
 }

@@ -320,6 +320,7 @@ std::string chart_answer(const BifurcationChart& chart) {
 
 Document document_of(const BifurcationChart& chart) {
   Document document = document_with(chart.plane.study, chart_answer(chart), axes_text(chart.plane));
+  document.add(chart_drawing(chart));
   document.add(curves_table(chart));
   document.add(specials_table(chart));
   document.add(regions_list(chart));

@@ -1,4 +1,4 @@
-// Pictures: an image, lines on it, the legend.
+// Drawings: an image, lines on it, the legend.
 #include "equipoise/extras/charts/plane_reports.hpp"
 
 #include <algorithm>
@@ -16,14 +16,12 @@ namespace equipoise {
 
 namespace {
 
-// The drawing as a picture file below the title and the parameters that stay.
-std::string plane_plot(const std::string& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
-                       const char* caption) {
-  return plot_file(title,
-                   {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
-                    (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
-                    (complete ? "" : " (PARTIAL: stopped early)")},
-                   {{{"", drawing}}, caption});
+DrawingRow row_with(const std::string& drawing, const StabilityPlane& plane, bool complete, const char* caption) {
+  DrawingRow row{{{"", drawing}}, caption, false, true};
+  row.details = parameters_text(plane.study, {plane.x.key, plane.y.key}) +
+                (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
+                (complete ? "" : " (PARTIAL: stopped early)");
+  return row;
 }
 
 // Every so many-th row and column.
@@ -233,7 +231,7 @@ std::vector<LegendEntry> draw_regions(PlanePicture& picture, const BifurcationCh
 
 }  // namespace
 
-std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
+DrawingRow stability_drawing(const StabilityPlane& whole) {
   const StabilityPlane plane = drawn_part(whole);
   PlanePicture picture("What balance does over the plane", plane.study, plane.x, plane.y);
   const RateColours colours(plane);
@@ -251,10 +249,10 @@ std::string stability_plot(const StabilityPlane& whole, const std::string& title
     picture.svg.circle(picture.axes.at(plane.own->x, plane.own->y), 5.0, ring);
     picture.legend.push_back({ring, "the study", LegendEntry::Mark::ring});
   }
-  return plane_plot(picture.str(), whole, title, whole.complete, "The darker, the faster deviations die out or grow.");
+  return row_with(picture.str(), whole, whole.complete, "The darker, the faster deviations die out or grow.");
 }
 
-std::string chart_plot(const BifurcationChart& chart, const std::string& title) {
+DrawingRow chart_drawing(const BifurcationChart& chart) {
   const StabilityPlane& plane = chart.plane;
   PlanePicture picture("Curves on which balance and locked states change", plane.study, plane.x, plane.y);
   draw_boxes(picture, chart);
@@ -265,7 +263,7 @@ std::string chart_plot(const BifurcationChart& chart, const std::string& title) 
   const std::vector<LegendEntry> letters = draw_regions(picture, chart);
   draw_legend(picture.svg, std::exchange(picture.legend, letters));
   if (!letters.empty()) draw_legend(picture.svg, {{{}, "at rest and stable:", LegendEntry::Mark::none}});
-  return plane_plot(picture.str(), plane, title, chart.complete, "");
+  return row_with(picture.str(), plane, chart.complete, "");
 }
 
 }  // namespace equipoise

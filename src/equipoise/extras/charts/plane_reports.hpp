@@ -32,11 +32,10 @@ std::string json_text(const StabilityPlane& plane);
 /// One line per point: both values, then the numbers of point_numbers.
 std::string stability_csv(const StabilityPlane& plane);
 
-/// A picture file (SVG). Where balance is stable or unstable the plane is the darker, the faster deviations die out or
+/// Where balance is stable or unstable the plane is the darker, the faster deviations die out or
 /// grow. Lines show where a pair of eigenvalues crosses (solid), where a real one does (dotted) and where the balanced
-/// state ends (dashed); a ring the study's own point. Axes are in the machine's units if it has them. `title` goes
-/// before the parameters.
-std::string stability_plot(const StabilityPlane& plane, const std::string& title);
+/// state ends (dashed); a ring the study's own point. Axes are in the machine's units if it has them.
+DrawingRow stability_drawing(const StabilityPlane& plane);
 
 /// How the lines on which a stable balance loses its stability are made up: their length in the plane, whose sides
 /// count 1.
@@ -60,10 +59,10 @@ std::string json_text(const BifurcationChart& chart);
 /// One line per point of a curve.
 std::string chart_csv(const BifurcationChart& chart);
 
-/// A picture file (SVG): boxes in which something is proved, shaded by what; curves, solid where a stable balance loses
+/// Boxes in which something is proved, shaded by what; curves, solid where a stable balance loses
 /// its stability softly, dashed where abruptly, thin where it was unstable before; those of locked states in colour;
-/// special points; letters of regions. `title` goes before the parameters.
-std::string chart_plot(const BifurcationChart& chart, const std::string& title);
+/// special points; letters of regions.
+DrawingRow chart_drawing(const BifurcationChart& chart);
 
 /// "balance stable; balls together unstable (2)".
 std::string region_words(const BifurcationChart& chart, const ChartRegion& region);

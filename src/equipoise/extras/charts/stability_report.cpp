@@ -214,6 +214,7 @@ Document document_of(const StabilityPlane& plane) {
   if (const std::size_t missing = plane.count(BalanceKind::not_computed); missing > 0)
     table.rows.push_back(
         row_of("tnnn", {"not computed", fmt::format("{}", missing), part_text(plane, BalanceKind::not_computed), ""}));
+  document.add(stability_drawing(plane));
   document.add(std::move(table));
   document.add_lines(plane_notes(plane));
   const std::size_t computed = plane.points.size() - plane.count(BalanceKind::not_computed);

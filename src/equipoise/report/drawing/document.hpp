@@ -73,6 +73,9 @@ struct DrawingRow {
   bool large = false;  ///< on paper two to a row, not three: for plots, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet
+  /// What a picture file says in addition, as the rest of the document is not there: the parameters that do not vary,
+  /// and whether the result is partial.
+  std::string details{};
 };
 /// Verbatim lines, shown on demand.
 struct Listing {
@@ -106,5 +109,13 @@ struct Document {
 
 /// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.
 std::string document_html(const Document& document);
+
+/// The document's drawings as one SVG that needs nothing else, for browsers, word processors and printers: title, and
+/// row by row details, drawings two to a row with their titles and words, caption.
+std::string document_svg(const Document& document, const std::string& title);
+template <class Result>
+std::string result_svg(const Result& result, const std::string& title) {
+  return document_svg(document_of(result), title);
+}
 
 }  // namespace equipoise

@@ -57,9 +57,4 @@ std::string plot_svg(const Plot& plot, const std::string& described, double widt
 DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
                  bool may_be_wide);
 
-/// One SVG that needs nothing else, for browsers, word processors and printers: title, lines of details, drawings two
-/// to a row with their titles and words, caption.
-std::string plot_file(const std::string& title, const std::vector<std::string>& details, const DrawingRow& row);
-std::string plot_file(const std::string& title, const std::vector<Plot>& plots);
-
 }  // namespace equipoise

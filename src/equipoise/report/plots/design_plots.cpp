@@ -151,17 +151,6 @@ std::vector<Plot> history_plots(const DesignResult& r) {
   return {{"", "trajectories followed", figure_label(first), false, true, false, {series}}};
 }
 
-std::vector<Plot> design_plots(const DesignResult& r) {
-  constexpr std::size_t most = 4;
-  std::vector<Plot> plots = front_plots(r);
-  for (Plot& plot : spin_up_plots(r)) plots.push_back(std::move(plot));
-  if (plots.size() < most)
-    for (Plot& plot : margin_plots(r, most - plots.size())) plots.push_back(std::move(plot));
-  if (plots.empty()) plots = history_plots(r);
-  if (plots.size() > most) plots.resize(most);
-  return plots;
-}
-
 std::string design_title(const DesignResult& r) {
   std::string wanted;
   for (const std::size_t k : r.objectives)

@@ -107,12 +107,8 @@ DrawingRow map_drawing(const BasinSlice& whole) {
   row.caption = fmt::format("One start at every point: {}; {}{}. Darker pixels were decided later.",
                             words_of(map.study, map.x), words_of(map.study, map.y), fixed_angles_text(map));
   if (map.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", map.every);
+  row.details = parameters_text(map.study, {map.x.key, map.y.key}) + (map.complete ? "" : " (PARTIAL: stopped early)");
   return row;
-}
-
-std::string map_plot(const BasinSlice& map, const std::string& title) {
-  const std::string note = map.complete ? "" : "PARTIAL: stopped early";
-  return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), note}, map_drawing(map));
 }
 
 }  // namespace equipoise

@@ -49,15 +49,16 @@ PlotSeries boundary_series(const SweepParameter& x, const std::vector<const Capa
 
 }  // namespace
 
-std::string branch_plot(const BranchesResult& r, const std::string& title) {
+DrawingRow branch_drawing(const BranchesResult& r) {
   Plot plot{"", axis_label(r.key), "rotor displacement r / race radius", false, true, true};
   for (const Branch& b : r.branches)
     for (PlotSeries& stretch : stretches_of(b)) plot.series.push_back(std::move(stretch));
-  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "")},
-                   drawn({plot}, "Where the rotor can end",
+  DrawingRow row = drawn({plot}, "Where the rotor can end",
                          "Every motion from its smallest to its largest displacement: a band where it attracts, dashed "
                          "lines where it is unstable.",
-                         true));
+                         true);
+  row.details = parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
+  return row;
 }
 
 std::string capacity_title(const CapacityResult& r) {

@@ -1,4 +1,4 @@
-// Results as pictures: SVG that needs no script, no other program and no light background, and prints as lines.
+// Results as pictures, for their documents.
 // This room: results as pictures.
 #pragma once
 
@@ -57,9 +57,6 @@ std::vector<SweepLayer> sweep_layers(const SweepResult& result);
 /// over three one such table for each value of the first. An identifier has the same colour in all pictures.
 DrawingRow sweep_drawing(const SweepResult& result);
 
-/// The same as a picture file (SVG); `title` goes before the parameters.
-std::string sweep_plot(const SweepResult& result, const std::string& title);
-
 /// Along one axis: median and 90 % quantile of the peak displacement, against the limit. Empty without transients.
 std::optional<Plot> peak_plot(const SweepResult& result);
 
@@ -67,13 +64,9 @@ std::optional<Plot> peak_plot(const SweepResult& result);
 /// ends (dashed) or changes stability. For a large slice some rows and columns are left out, which the caption says.
 DrawingRow map_drawing(const BasinSlice& map);
 
-/// The same as a picture file (SVG); `title` goes before the parameters.
-std::string map_plot(const BasinSlice& map, const std::string& title);
-
-/// A picture file (SVG) of r_min to r_max of every branch against the parameter: a band where the motion attracts,
-/// dashed lines where it is unstable. An identifier has the same colour in all pictures. `title` goes before the
-/// parameters.
-std::string branch_plot(const BranchesResult& result, const std::string& title);
+/// r_min to r_max of every branch against the parameter: a band where the motion attracts, dashed lines where it is
+/// unstable. An identifier has the same colour in all pictures.
+DrawingRow branch_drawing(const BranchesResult& result);
 
 /// Along the first parameter, one line per value of the second and one plot per value of the third. Without
 /// parameters: the balanced share over the values tried.
@@ -91,8 +84,6 @@ std::vector<Plot> margin_plots(const DesignResult& result, std::size_t most);
 /// The best value so far against trajectories followed.
 std::vector<Plot> history_plots(const DesignResult& result);
 
-/// At most four plots, for one picture.
-std::vector<Plot> design_plots(const DesignResult& result);
 /// A one-line title for the plots.
 std::string design_title(const DesignResult& result);
 

@@ -171,13 +171,8 @@ DrawingRow sweep_drawing(const SweepResult& r) {
     row.drawings.push_back({"", heat_svg(r, 0)});
   else
     add_heat_maps(row, r);
+  row.details = parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : " (PARTIAL: cells are missing)");
   return row;
-}
-
-std::string sweep_plot(const SweepResult& r, const std::string& title) {
-  return plot_file(title,
-                   {parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : " (PARTIAL: cells are missing)")},
-                   sweep_drawing(r));
 }
 
 std::optional<Plot> peak_plot(const SweepResult& r) {

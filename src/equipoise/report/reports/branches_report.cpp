@@ -12,6 +12,7 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
@@ -138,6 +139,7 @@ Document document_of(const BranchesResult& r) {
                                            reader_title(*b, physical), name_of(e->change), name_of(e->cause)}));
   table.spare = {2, 5, 1};
   if (events.empty()) table.rows.push_back(row_of("tttttt", {"none", "", "", "", "", ""}));
+  document.add(branch_drawing(r));
   document.add(std::move(branches));
   document.add(std::move(table));
   document.add(Paragraph{fmt::format(

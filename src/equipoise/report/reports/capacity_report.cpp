@@ -117,7 +117,9 @@ Document document_of(const CapacityResult& r) {
                              "The largest {} at which {:.4g} % of starts {}. A stroke is its 95 % interval: below its "
                              "lower end that is shown, above its upper end it is shown to fail.",
                              key_words(r.key), 100.0 * r.at_least, r.asked());
-    document.add(drawn(capacity_plots(r), capacity_title(r), caption, true));
+    DrawingRow row = drawn(capacity_plots(r), capacity_title(r), caption, true);
+    row.details = capacity_title(r);
+    document.add(std::move(row));
   }
   document.add(capacity_table(r));
   if (any && r.axes.empty()) document.add(table_of_trials(r));
