@@ -9,10 +9,7 @@
 #include "commands.hpp"
 #include "equipoise/analyses/sweeps/capacity.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -91,7 +88,7 @@ int run_capacity(CapacityArguments& a) {
   progress.finish();
   put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
-                [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
+                [&] { return given_machine(source.toml, source.name, source.overrides); }});
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
   if (result.trials > 0)

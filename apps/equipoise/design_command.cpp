@@ -7,10 +7,7 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/design/design.hpp"
-#include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -62,7 +59,7 @@ int run_design(const DesignArguments& a) {
   progress.finish();
   put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return design_json(result); },
                 [&] { return design_csv(result); },
-                [&] { return result_page(result, given_machine(source.toml, source.name, source.overrides)); }});
+                [&] { return given_machine(source.toml, source.name, source.overrides); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {

@@ -15,7 +15,6 @@
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -73,7 +72,7 @@ FormMakers forms_of(const BasinSlice& map, const StudySource& source) {
           [&] { return document_of(map); },
           [&] { return map_json(map); },
           {},
-          [&] { return result_page(map, given_machine(source.toml, source.name, source.overrides)); }};
+          [&] { return given_machine(source.toml, source.name, source.overrides); }};
 }
 
 /// Reads the study, computes and puts out. `made`: what errors call the result; `keeper`: where the command keeps its

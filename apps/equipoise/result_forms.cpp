@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 
@@ -35,11 +36,12 @@ void check_forms(const ResultForms& forms) {
 }
 
 void put_forms(const ResultForms& forms, const FormMakers& makers) {
-  const Document document = !forms.json || !forms.plot.empty() ? makers.document() : Document();
+  const bool needed = !forms.json || !forms.plot.empty() || !forms.report.empty();
+  const Document document = needed ? makers.document() : Document();
   put(forms.json ? makers.json() : document_text(document, text_style()));
   if (!forms.csv.empty()) write_file(forms.csv, makers.csv());
   if (!forms.plot.empty()) write_file(forms.plot, document_svg(document, file_title(makers.study)));
-  if (!forms.report.empty()) write_file(forms.report, makers.html());
+  if (!forms.report.empty()) write_file(forms.report, document_page(document, makers.study, makers.machine()));
 }
 
 }  // namespace equipoise::app

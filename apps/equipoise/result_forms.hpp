@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "equipoise/report/drawing/document.hpp"
+#include "equipoise/results/commands/machine_page.hpp"
 #include "options.hpp"
 
 namespace equipoise::app {
@@ -30,12 +32,13 @@ void check_forms(const ResultForms& forms);
 /// The name of the study's file: the title of its pictures.
 std::string file_title(const Study& study);
 
-/// How to make each form of a result. Text and picture are made of its document; `study`: whose name is the picture's
-/// title.
+/// How to make the forms of a result: its document, which is text, picture and page, the latter with the machine; and
+/// its numbers.
 struct FormMakers {
   const Study& study;
   std::function<Document()> document;
-  std::function<std::string()> json, csv, html;
+  std::function<std::string()> json, csv;
+  std::function<GivenMachine()> machine;
 };
 /// Prints and writes.
 void put_forms(const ResultForms& forms, const FormMakers& makers);

@@ -12,9 +12,7 @@
 
 #include "commands.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
@@ -39,7 +37,7 @@ struct SweepArguments : ResultForms {
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
   put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return sweep_json(result); },
-                [&] { return sweep_csv(result); }, [&] { return result_page(result, machine()); }});
+                [&] { return sweep_csv(result); }, machine});
 }
 
 constexpr FormWords sweep_words{"one line per cell and outcome (.csv)",

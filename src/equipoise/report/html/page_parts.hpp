@@ -32,10 +32,4 @@ void add_origin(Document& document, const Study& study, const std::string& words
 /// `machine`: from the original study (report/html/given_machine.hpp).
 std::string document_page(Document document, const Study& study, const GivenMachine& machine);
 
-/// A result's document as a page.
-template <class Result>
-std::string result_page(const Result& result, const GivenMachine& machine) {
-  return document_page(document_of(result), result.study, machine);
-}
-
 }  // namespace equipoise

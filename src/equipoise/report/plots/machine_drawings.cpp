@@ -1,4 +1,4 @@
-// Bars, distributions and runs.
+// The rows of drawings on the page for one machine: runs; bars, motions and distributions; with their captions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -98,8 +98,6 @@ SpeedScale speed_scale(const MachinePage& page) {
   return scale;
 }
 
-}  // namespace
-
 std::string shares_svg(const MachinePage& page) {
   const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
   constexpr double row = 34.0, left = 4.0, right = 300.0, thick = 12.0;
@@ -149,6 +147,57 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
   return svg.str();
 }
 
+std::string speed_svg(const MachinePage& page) {
+  const PageQuantities shown(page.basin.study);
+  const AxisExtent time = time_extent(page);
+  AxisExtent speed{0.0, 0.0};
+  for (const ShownRun& run : page.runs) {
+    const auto [low, high] = std::minmax_element(run.speed.begin(), run.speed.end());
+    speed = {std::min(speed.low, *low), std::max(speed.high, *high)};
+  }
+  const double room = 0.08 * std::max(speed.high - speed.low, 1e-12);
+  speed = {speed.low < 0.0 ? speed.low - room : 0.0, speed.high > 0.0 ? speed.high + room : 0.0};
+  Svg svg(plot_width, plot_height, "Speed of the rotor over time");
+  SvgAxes axes(svg, top_left, bottom_right, time, speed, shown.axis("time", time.high, Dimension::time),
+               shown.axis("speed", std::max(speed.high, -speed.low), Dimension::speed));
+  const std::size_t lines =
+      page.basin.study.speed.driven() ? page.runs.size() : std::size_t{1};  // the same at a prescribed speed
+  for (std::size_t k = lines; k-- > 0;)
+    axes.line(page.runs[k].t, page.runs[k].speed, {colour_of_run(page.runs[k].of), "", 1.6});
+  return svg.str();
+}
+
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string runs_caption(const MachinePage& page) {
+  const Study& study = page.basin.study;
+  std::string text =
+      study.bearings.empty()
+          ? "Distance of the rotor's centre from its place at rest; shaded: swings too fast to be drawn."
+          : "Distance of the shaft from its place at rest, at the bearing where it is largest; shaded: swings too "
+            "fast to be drawn.";
+  std::string numbers;
+  for (const ShownRun& run : page.runs) {
+    if (run.of == RunOf::bare) {
+      if (!study.uncertain.empty() && page.runs.size() > 1) text += " Without balls: the rotor of the typical start.";
+      continue;
+    }
+    numbers += fmt::format("{}start {} is the {}", numbers.empty() ? "" : ", ", run.index,
+                           run.of == RunOf::median ? "typical one" : "worst in a hundred");
+    // Starts near the boundary of two basins may go another way if the last digit differs.
+    constexpr double alike = 0.02;
+    if (std::fabs(run.again - run.peak) > alike * run.peak)
+      numbers += fmt::format(" (followed again with smaller steps, {} within what is shown)",
+                             PageQuantities(study).text(run.again, Dimension::length));
+  }
+  return numbers.empty() ? text : fmt::format("{} With this seed, {}.", text, numbers);
+}
+
+}  // namespace
+
 std::string run_words(const MachinePage& page, const ShownRun& run) {
   const PageQuantities shown(page.basin.study);
   std::string text = fmt::format("{}: peak {}; ", run_name(page, run), shown.text(run.peak, Dimension::length));
@@ -191,24 +240,39 @@ std::string run_up_svg(const MachinePage& page) {
   return svg.str();
 }
 
-std::string speed_svg(const MachinePage& page) {
-  const PageQuantities shown(page.basin.study);
-  const AxisExtent time = time_extent(page);
-  AxisExtent speed{0.0, 0.0};
-  for (const ShownRun& run : page.runs) {
-    const auto [low, high] = std::minmax_element(run.speed.begin(), run.speed.end());
-    speed = {std::min(speed.low, *low), std::max(speed.high, *high)};
-  }
-  const double room = 0.08 * std::max(speed.high - speed.low, 1e-12);
-  speed = {speed.low < 0.0 ? speed.low - room : 0.0, speed.high > 0.0 ? speed.high + room : 0.0};
-  Svg svg(plot_width, plot_height, "Speed of the rotor over time");
-  SvgAxes axes(svg, top_left, bottom_right, time, speed, shown.axis("time", time.high, Dimension::time),
-               shown.axis("speed", std::max(speed.high, -speed.low), Dimension::speed));
-  const std::size_t lines =
-      page.basin.study.speed.driven() ? page.runs.size() : std::size_t{1};  // the same at a prescribed speed
-  for (std::size_t k = lines; k-- > 0;)
-    axes.line(page.runs[k].t, page.runs[k].speed, {colour_of_run(page.runs[k].of), "", 1.6});
-  return svg.str();
+DrawingRow run_up_drawing(const MachinePage& page) {
+  DrawingRow row;
+  row.whole = true;
+  row.drawings.push_back({"", run_up_svg(page), "", ""});
+  row.caption = runs_caption(page);
+  return row;
+}
+
+DrawingRow ends_drawing(const MachinePage& page) {
+  const Study& study = page.basin.study;
+  DrawingRow row;
+  row.drawings.push_back({"", shares_svg(page), "", ""});
+  for (const DrawnMotion& motion : page.motions)
+    if (!motion.x.empty()) row.drawings.push_back(motion_drawing(page, motion));
+  for (const FigureDistribution& d : page.peaks)
+    row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page, d), "", ""});
+  if (!page.runs.empty() && !run_up_tells_speed(page))
+    row.drawings.push_back({"Speed over time", speed_svg(page), "", ""});
+  row.caption =
+      study.parameters.tilts()
+          ? fmt::format(
+                "Bars: shares of starts with 95 % intervals. Circles: left, the balls in their races as seen from "
+                "the turning rotor, that with the largest place along the shaft outermost, with arrows where balls "
+                "move; right, the path of the shaft {}, as seen from beside the machine, all to one scale",
+                study.bearings.empty() ? "at the centre of mass" : "at the outermost bearing that moves more")
+          : "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the "
+            "turning rotor, with a wedge at its heavy side and arrows where balls move; right, the path of the "
+            "rotor's centre as seen from beside the machine, all to one scale";
+  row.caption += study.limits.displacement ? ", the limit dashed if it lies within the drawing." : ".";
+  if (page.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page.motions_left_out);
+  if (page.starts_drawn < page.basin.starts)
+    row.caption += fmt::format(" Peaks and runs are of the first {} starts.", page.starts_drawn);
+  return row;
 }
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// A motion in two views.
+// A motion in two views, and in words.
 #include <algorithm>
 #include <cmath>
 
@@ -6,6 +6,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
@@ -13,6 +14,7 @@
 namespace equipoise {
 
 namespace {
+using study::Dimension;
 
 constexpr SvgPoint race_centre{80.0, 84.0}, rest_place{246.0, 84.0};
 constexpr double race = 60.0, field = 66.0;  // radii
@@ -120,11 +122,9 @@ void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
   else
     svg.path(way, {colour_of(motion.id), "", 1.1});
   const PageQuantities shown(page.basin.study);
-  svg.text({rest_place.x, rest_place.y + field + 14.0}, "ring: " + shown.text(ring, study::Dimension::length),
+  svg.text({rest_place.x, rest_place.y + field + 14.0}, "ring: " + shown.text(ring, Dimension::length),
            SvgAnchor::middle, quiet_ink);
 }
-
-}  // namespace
 
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
   const model::Parameters& p = page.basin.study.parameters;
@@ -137,6 +137,54 @@ std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
   svg.text({race_centre.x, rest_place.y + field + 14.0}, model::planes_of(p).size() > 1 ? "races" : "race",
            SvgAnchor::middle, quiet_ink);
   return svg.str();
+}
+
+// "the balls rest in the race"; "ball 1 rests, ball 2 falls behind by 0.9 ω_c".
+std::string ball_words(const PageQuantities& shown, const DrawnMotion& m) {
+  constexpr double still = 0.01;  // rad: in a race of 0.1 m they move by a millimetre
+  std::vector<std::string> does;
+  for (const BallOnMotion& b : m.balls) {
+    const bool behind = b.drift * (m.speed < 0.0 ? -1.0 : 1.0) < 0.0;
+    does.push_back(b.drift != 0.0           ? fmt::format("{} by {}", behind ? "behind" : "ahead",
+                                                          shown.text(std::fabs(b.drift), Dimension::speed))
+                   : b.high - b.low < still ? "rest"
+                                            : "swing");
+  }
+  const auto words = [](const std::string& what, bool one) {
+    if (what == "rest") return std::string(one ? "rests in the race" : "rest in the race");
+    if (what == "swing") return std::string(one ? "swings about its place" : "swing about their places");
+    return (what.starts_with("behind") ? one ? "falls " : "fall " : one ? "runs " : "run ") + what;
+  };
+  if (std::all_of(does.begin(), does.end(), [&](const std::string& one) { return one == does.front(); }))
+    return does.size() == 1 ? "the ball " + words(does[0], true) : "the balls " + words(does[0], false);
+  std::string text;
+  for (std::size_t i = 0; i < does.size(); ++i)
+    text += fmt::format("{}ball {} {}", i ? ", " : "", i + 1, words(does[i], true));
+  return text;
+}
+
+std::string motion_words(const Study& study, const DrawnMotion& m) {
+  const PageQuantities shown(study);
+  const bool rests = m.r_max < 1e-9;
+  std::string text = rests ? "The centre rests on the axis" : "The centre is ";
+  if (m.bearing)
+    text = fmt::format(fmt::runtime(rests ? "At {} the shaft rests on the axis" : "At {} the shaft is "),
+                       shown.text(*m.bearing, Dimension::length));
+  if (!rests) text += shown.range(m.r_min, m.r_max, Dimension::length) + " off the axis";
+  if (study.speed.driven()) text += fmt::format(" at {}", shown.text(m.speed, Dimension::speed));
+  text += "; " + ball_words(shown, m);
+  text += ".";
+  if (m.one_start) text += " Drawn from the end of one start.";
+  if (m.continuum) text += " One of a continuum of such motions.";
+  return text;
+}
+
+}  // namespace
+
+Drawing motion_drawing(const MachinePage& page, const DrawnMotion& motion) {
+  const Study& study = page.basin.study;
+  return {reader_title(motion, study.scales.has_value()), motion_svg(page, motion), motion_words(study, motion),
+          colour_of(motion.id)};
 }
 
 }  // namespace equipoise

@@ -18,9 +18,10 @@ namespace equipoise {
 
 namespace {
 
-constexpr double side = 358.0;
-constexpr SvgPoint top_left{58.0, 10.0}, bottom_right{top_left.x + side, top_left.y + side};
-constexpr double below = bottom_right.y + 42.0;  // where the legend begins
+constexpr double plane_side = 358.0;
+constexpr SvgPoint plane_top_left{58.0, 10.0},
+    plane_bottom_right{plane_top_left.x + plane_side, plane_top_left.y + plane_side};
+constexpr double below_plane = plane_bottom_right.y + 42.0;  // where the legend begins
 
 // A field known at the pixels' centres, extrapolated linearly to the edges.
 class MapField {
@@ -127,14 +128,15 @@ AxisWords axis_words(const Study& study, const SliceAxis& axis) {
 }
 
 PlanePicture::PlanePicture(const std::string& described, const Study& study, const SliceAxis& x, const SliceAxis& y)
-    : svg(drawing_width, below, described),
-      axes(svg, top_left, bottom_right, {x.low, x.high}, {y.low, y.high}, axis_words(study, x), axis_words(study, y)) {}
+    : svg(drawing_width, below_plane, described),
+      axes(svg, plane_top_left, plane_bottom_right, {x.low, x.high}, {y.low, y.high}, axis_words(study, x),
+           axis_words(study, y)) {}
 
 void PlanePicture::fill(int columns, int rows, const std::function<std::string(int column, int row)>& colour) {
   Raster raster{static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), {}, {}};
   for (int row = rows - 1; row >= 0; --row)
     for (int column = 0; column < columns; ++column) raster.add(colour(column, row));
-  svg.image(top_left, side, side, png_bytes(raster));
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster));
 }
 
 void PlanePicture::draw(const std::vector<Border>& borders) {
