@@ -14,6 +14,7 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/engineering.hpp"
@@ -35,9 +36,7 @@ std::string parameter_text(const Study& study, const std::string& key, double va
 }
 
 std::string part_text(const StabilityPlane& plane, BalanceKind kind) {
-  const double percent = 100.0 * static_cast<double>(plane.count(kind)) / static_cast<double>(plane.points.size());
-  if (percent < 0.05) return "less than 0.1 %";
-  return percent > 99.95 && percent < 100.0 ? "more than 99.9 %" : fmt::format("{:.1f} %", percent);
+  return part_words(static_cast<double>(plane.count(kind)) / static_cast<double>(plane.points.size()));
 }
 
 std::string parts_sentence(const StabilityPlane& plane) {

@@ -112,7 +112,9 @@ std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std
 }
 
 std::string part_words(double part) {
-  return part > 0.0 && part < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * part);
+  const double percent = 100.0 * part;
+  if (percent > 0.0 && percent < 0.05) return "less than 0.1 %";
+  return percent > 99.95 && percent < 100.0 ? "more than 99.9 %" : fmt::format("{:.1f} %", percent);
 }
 
 AxisWords axis_words(const Study& study, const SliceAxis& axis) {

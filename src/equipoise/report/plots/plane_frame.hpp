@@ -15,7 +15,7 @@ namespace equipoise {
 
 inline constexpr int most_drawn_pixels = 640;  ///< along one side: as many as a page is wide
 
-/// A part of the plane: "12.3 %", "< 0.1 %".
+/// A part of the plane: "12.3 %", "less than 0.1 %", "more than 99.9 %".
 std::string part_words(double part);
 
 /// An axis of the plane: angles of balls in parts of a turn, quantities in the unit that suits the largest value,
