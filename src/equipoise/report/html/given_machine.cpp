@@ -20,11 +20,12 @@ std::string words_of(const std::string& key) {
   return words;
 }
 
-std::string words_of_value(const StudyValue& value) {
+// `between`: the keys of a table.
+std::string words_of_value(const StudyValue& value, const char* between = ", ") {
   if (const auto* table = value.table()) {
     std::string text;
     for (const auto& [key, member] : *table)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(key), words_of_value(member));
+      text += fmt::format("{}{} {}", text.empty() ? "" : between, words_of(key), words_of_value(member));
     return text;
   }
   if (const auto* array = value.array()) {
@@ -39,22 +40,17 @@ std::string words_of_value(const StudyValue& value) {
   return value.string() ? *value.string() : value.other()->text;
 }
 
-void add_table(const std::string& name, const StudyValue& value, std::vector<GivenTable>& tables) {
-  if (!value.table() || value.table()->empty()) return;
-  GivenTable given{name, {}};
-  for (const auto& [key, member] : *value.table()) given.keys.push_back({words_of(key), words_of_value(member)});
-  tables.push_back(std::move(given));
-}
-
 std::vector<GivenTable> tables_of(const StudyValue& root) {
   std::vector<GivenTable> tables;
+  const auto add = [&](const std::string& name, const StudyValue& value) {
+    if (value.table() && !value.table()->empty()) tables.push_back({name, words_of_value(value, "; ")});
+  };
   for (const char* name : told_tables) {
     const StudyValue* found = root.find(name);
     if (!found) continue;
-    add_table(name, *found, tables);
-    if (!found->array()) continue;
-    for (std::size_t k = 0; k < found->array()->size(); ++k)
-      add_table(fmt::format("{} {}", name, k + 1), (*found->array())[k], tables);
+    add(name, *found);
+    for (std::size_t k = 0; found->array() && k < found->array()->size(); ++k)
+      add(fmt::format("{} {}", name, k + 1), (*found->array())[k]);
   }
   return tables;
 }

@@ -140,11 +140,7 @@ void add_machine(Document& document, const GivenMachine& machine) {
   }
   document.add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", "in the study"}};
-  for (const GivenTable& of : machine.given) {
-    std::string text;
-    for (const auto& [key, value] : of.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
-    table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
-  }
+  for (const auto& [name, keys] : machine.given) table.rows.push_back({{name, Tone::plain, false, true}, {keys}});
   document.add(std::move(table));
   document.add(facts_table(machine.explanation));
   if (DocumentTable rules = advice_table(machine.explanation); !rules.rows.empty()) document.add(std::move(rules));

@@ -13,11 +13,8 @@
 
 namespace equipoise {
 
-/// One table of the study as written: {"rotor", {{"mass", "2.2 kg"}, ...}}.
-struct GivenTable {
-  std::string name;
-  std::vector<std::array<std::string, 2>> keys;
-};
+/// One table of the study as written: {"rotor", "mass 2.2 kg; damping 20 N s/m"}.
+using GivenTable = std::array<std::string, 2>;
 
 /// What a study says of its machine, and what follows without simulation.
 struct GivenMachine {
