@@ -4,51 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 
 namespace equipoise {
 
 namespace {
-
-std::string words_of(const Study& study, const SliceAxis& axis) {
-  const AxisWords words = axis_words(study, axis);
-  return fmt::format("{} from {:.4g} to {:.4g}", words.label, axis.low * words.factor, axis.high * words.factor);
-}
-
-// In quarter turns if it is a multiple of one, else as a number.
-std::string angle_text(double angle) {
-  const double quarters = angle / (0.5 * pi);
-  if (std::fabs(quarters - std::round(quarters)) > 1e-9) return fmt::format("{:.4g}", angle);
-  const int n = static_cast<int>(std::round(quarters));
-  if (n == 0) return "0";
-  const std::string times = std::abs(n % 2 ? n : n / 2) == 1 ? "" : fmt::format("{}", std::abs(n % 2 ? n : n / 2));
-  return fmt::format("{}{}π{}", n < 0 ? "-" : "", times, n % 2 ? "/2" : "");
-}
-
-// ", φ3 = π/2, φ4 = φ1 + π": ball angles that do not vary; empty if all do.
-std::string fixed_angles_text(const BasinSlice& map) {
-  const int balls = map.study.parameters.balls;
-  const bool drawn = draws_starts(map);
-  std::string text = drawn ? ", ball angles drawn at every point" : "";
-  for (int i = 1; i <= balls; ++i) {
-    const std::string key = fmt::format("initial.phi_{}", i);
-    if (key == map.x.key || key == map.y.key) continue;
-    bool tied = false;
-    std::string value = angle_text(map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
-    for (const AngleLink& link : map.links)
-      if (link.ball == i) tied = true, value = fmt::format("φ{} + {}", link.of, angle_text(link.offset));
-    if (tied || !drawn) text += fmt::format(", φ{} = {}", i, value);
-  }
-  return text;
-}
 
 // Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and
 // at least half as bright, so that the legend's colour is recognised.
@@ -104,8 +70,7 @@ DrawingRow map_drawing(const BasinSlice& whole) {
   DrawingRow row;
   row.wide = true;
   row.drawings.push_back({"", map_svg(map), "", ""});
-  row.caption = fmt::format("One start at every point: {}; {}{}. Darker pixels were decided later.",
-                            words_of(map.study, map.x), words_of(map.study, map.y), fixed_angles_text(map));
+  row.caption = "One start at every point. Darker pixels were decided later.";
   if (map.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", map.every);
   row.details = parameters_text(map.study, {map.x.key, map.y.key}) + (map.complete ? "" : " (PARTIAL: stopped early)");
   return row;

@@ -98,11 +98,12 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
 Document document_of(const BasinSlice& map) {
   const bool physical = map.study.scales.has_value(), any = open_pixels(map) < counted_pixels(map);
   Document document = document_with(map.study, answer_sentence(map), "");
-  std::string plane = axis_text("x", map.x, map.every) + "\n" + axis_text("y", map.y, map.every);
+  document.add_lines(axis_text("x", map.x, map.every) + "\n" + axis_text("y", map.y, map.every));
+  std::string angles;
   for (const AngleLink& link : map.links)
-    plane += fmt::format("\nphi_{} = phi_{} + {:.10g}", link.ball, link.of, link.offset);
-  if (const std::string starts = starts_text(map); !starts.empty()) plane += "\n" + starts;
-  document.add(Brief{plane, ""});
+    angles += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
+  angles += starts_text(map);
+  document.add_lines(angles);
   if (!map.complete)
     document.add(Paragraph{
         any ? fmt::format("PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel "
@@ -112,7 +113,10 @@ Document document_of(const BasinSlice& map) {
                           map.pixels),
         Tone::bad});
   document.add(Heading{2, "Where starts end", ""});
-  document.add(map_drawing(map));
+  DrawingRow row = map_drawing(map);
+  std::replace(angles.begin(), angles.end(), '\n', ' ');
+  if (!angles.empty()) row.details += ". " + angles;
+  document.add(std::move(row));
   if (map.complete || any) {
     DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}};
     if (map.complete) {  // the first pixels are not a sample of all
