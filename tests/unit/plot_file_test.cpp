@@ -24,14 +24,14 @@ Plot plot_of(const std::string& label) {
 
 TEST(PlotFile, WordsFromOutsideStayWords) {
   const std::string hostile = "a\n]]><script>&\"'\x1b:var(--ink)\xFF";
-  const std::string file = document_svg({"", {drawn({plot_of(hostile)}, hostile, "", true)}}, hostile);
+  const std::string file = document_svg({"", {drawn({plot_of(hostile)}, "")}}, hostile);
   EXPECT_FALSE(holds(file, "<script>"));
   EXPECT_FALSE(holds(file, "\x1b"));
   EXPECT_TRUE(holds(file, "a\\u000A]]&gt;&lt;script&gt;&amp;&quot;'\\u001B:var(--ink)\xEF\xBF\xBD</text>")) << file;
 }
 
 TEST(PlotFile, HasConcreteColours) {
-  const std::string file = document_svg({"", {drawn({plot_of("x")}, "t", "", true)}}, "t");
+  const std::string file = document_svg({"", {drawn({plot_of("x")}, "")}}, "t");
   for (const char* part : {"xmlns=\"http://www.w3.org/2000/svg\"", "fill:#ffffff", "fill:#1b1f24", "stroke:#b3361b"})
     EXPECT_TRUE(holds(file, part)) << part;
   EXPECT_FALSE(holds(file, "var(")) << file;

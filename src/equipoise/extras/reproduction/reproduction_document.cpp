@@ -85,10 +85,6 @@ Plot plot_of_box(const OpenQuestions& open) {
 
 using Answer = ConclusionResult::Answer;
 
-DrawingRow pictured(const std::vector<Plot>& plots, const std::string& caption) {
-  return drawn(plots, caption, caption, true);
-}
-
 Tone tone_of(Verdict verdict) {
   return verdict == Verdict::agrees ? Tone::good : verdict == Verdict::differs ? Tone::bad : Tone::open;
 }
@@ -200,8 +196,8 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   if (!t.published->unclaimed.empty())
     d.add(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto plot = table_plot(t))
-    d.add(pictured({*plot},
-                   fmt::format("Balanced share of table {}. Circles: printed; intervals: 95 %.", t.published->number)));
+    d.add(drawn({*plot},
+                fmt::format("Balanced share of table {}. Circles: printed; intervals: 95 %.", t.published->number)));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
@@ -257,7 +253,7 @@ void open_questions(const Reproduction& r, Document& d) {
       Paragraph{"Shares of starts uniform in the box |x|, |y| ≤ 0.2, |x'|, |y'| ≤ 0.5, |φ_i'| ≤ 2.4, any φ_i, beside "
                 "those of starts at rest. The box takes in every motion that starts at rest come to; the shares depend "
                 "on it, since the whole space has no uniform distribution."});
-  d.add(pictured({plot_of_box(*r.open)}, "Balanced share of starts in the box and at rest; intervals: 95 %."));
+  d.add(drawn({plot_of_box(*r.open)}, "Balanced share of starts in the box and at rest; intervals: 95 %."));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -279,7 +275,7 @@ void figures(const Reproduction& r, Document& d) {
   for (const PaperFigure& f : r.figures) {
     d.add(Heading{3, f.title, f.id});
     if (!f.choice.empty()) d.add(Paragraph{f.choice, Tone::open});
-    d.add(pictured(figure_plots(f), f.caption));
+    d.add(drawn(figure_plots(f), f.caption));
   }
 }
 

@@ -54,7 +54,6 @@ void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries);
 std::string plot_svg(const Plot& plot, const std::string& described, double width = drawing_width);
 
 /// Plots next to each other.
-DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
-                 bool may_be_wide);
+DrawingRow drawn(const std::vector<Plot>& plots, const std::string& caption, bool may_be_wide = true);
 
 }  // namespace equipoise

@@ -53,17 +53,11 @@ DrawingRow branch_drawing(const BranchesResult& r) {
   Plot plot{"", axis_label(r.key), "rotor displacement r / race radius", false, true, true};
   for (const Branch& b : r.branches)
     for (PlotSeries& stretch : stretches_of(b)) plot.series.push_back(std::move(stretch));
-  DrawingRow row = drawn({plot}, "Where the rotor can end",
+  DrawingRow row = drawn({plot},
                          "Every motion from its smallest to its largest displacement: a band where it attracts, dashed "
-                         "lines where it is unstable.",
-                         true);
+                         "lines where it is unstable.");
   row.details = parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
   return row;
-}
-
-std::string capacity_title(const CapacityResult& r) {
-  return fmt::format("Largest {} at which {:.4g} % of starts {}{}", r.key, 100.0 * r.at_least, r.asked(),
-                     r.complete() ? "" : " (PARTIAL: stopped early)");
 }
 
 std::vector<Plot> capacity_plots(const CapacityResult& r) {

@@ -63,8 +63,6 @@ DrawingRow branch_drawing(const BranchesResult& result);
 /// Along the first parameter, one line per value of the second and one plot per value of the third. Without
 /// parameters: the balanced share over the values tried.
 std::vector<Plot> capacity_plots(const CapacityResult& result);
-/// A one-line title for the plots.
-std::string capacity_title(const CapacityResult& result);
 
 /// The plots of a design; those without data are left out.
 /// The front: every further objective against the first.

@@ -106,19 +106,18 @@ Document document_of(const CapacityResult& r) {
   set.push_back(r.key);
   Document document = document_with(r.study, answer_sentence(r), uncertain_text(r.study, set));
   if (!r.complete()) document.add(Paragraph{"PARTIAL: stopped before all cells were done.", Tone::bad});
-  document.add(Paragraph{fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.", r.key,
-                                     100.0 * r.at_least, r.asked(), sought_text(r))});
+  const std::string question = fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.", r.key,
+                                           100.0 * r.at_least, r.asked(), sought_text(r));
+  document.add(Paragraph{question});
   const bool any = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& cell) { return cell.has_value(); });
   if (any) {
     document.add(Heading{2, r.axes.empty() ? "How often it balances" : "What it balances", ""});
-    const std::string caption =
-        r.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
-                       : fmt::format(
-                             "The largest {} at which {:.4g} % of starts {}. A stroke is its 95 % interval: below its "
-                             "lower end that is shown, above its upper end it is shown to fail.",
-                             key_words(r.key), 100.0 * r.at_least, r.asked());
-    DrawingRow row = drawn(capacity_plots(r), capacity_title(r), caption, true);
-    row.details = capacity_title(r);
+    DrawingRow row =
+        drawn(capacity_plots(r),
+              r.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+                             : "A stroke is a 95 % interval: below its lower end the share is shown to be large "
+                               "enough, above its upper end it is shown to be too small.");
+    row.details = question + (r.complete() ? "" : " PARTIAL: stopped early.");
     document.add(std::move(row));
   }
   document.add(capacity_table(r));

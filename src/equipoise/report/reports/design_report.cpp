@@ -195,7 +195,7 @@ std::string stopped_design_text(const DesignResult& r) {
 void add_drawings(Document& document, const DesignResult& r, const std::vector<Plot>& plots, const std::string& caption,
                   bool wide = true) {
   if (plots.empty()) return;
-  DrawingRow row = drawn(plots, design_title(r), caption, wide);
+  DrawingRow row = drawn(plots, caption, wide);
   row.details = design_title(r);
   document.add(std::move(row));
 }
