@@ -17,7 +17,7 @@ namespace equipoise {
 namespace {
 
 DrawingRow row_with(const std::string& drawing, const StabilityPlane& plane, bool complete, const char* caption) {
-  DrawingRow row{{{"", drawing}}, caption, false, true};
+  DrawingRow row{{{"", drawing}}, caption, DrawingSize::wide};
   row.details = parameters_text(plane.study, {plane.x.key, plane.y.key}) +
                 (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
                 (complete ? "" : " (PARTIAL: stopped early)");

@@ -66,13 +66,14 @@ struct Drawing {
   std::string title{}, svg{}, text{};
   std::string colour{};  ///< of an outcome, shown before the title; may be empty
 };
+/// On paper three to a row; two, for plots, which have small print; one below the other, as wide as the text, for the
+/// page's main subject; across the whole sheet.
+enum class DrawingSize { small, large, wide, whole };
 /// Drawings side by side where there is room.
 struct DrawingRow {
   std::vector<Drawing> drawings{};
   std::string caption{};
-  bool large = false;  ///< on paper two to a row, not three: for plots, which have small print
-  bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
-  bool whole = false;  ///< across the whole sheet
+  DrawingSize size = DrawingSize::small;
   /// What a picture file says in addition, as the rest of the document is not there: the parameters that do not vary,
   /// and whether the result is partial.
   std::string details{};

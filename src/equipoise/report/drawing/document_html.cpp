@@ -87,10 +87,8 @@ class HtmlWriter {
   }
 
   void operator()(const DrawingRow& row) {
-    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.whole   ? " whole"
-                                                                 : row.wide  ? " wide"
-                                                                 : row.large ? " large"
-                                                                             : "");
+    constexpr std::array sizes{"", " large", " wide", " whole"};
+    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", sizes[static_cast<std::size_t>(row.size)]);
     for (const Drawing& d : row.drawings) {
       const std::string swatch =
           d.colour.empty() ? "" : fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>", d.colour);

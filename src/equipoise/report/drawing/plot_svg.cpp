@@ -145,10 +145,10 @@ std::string plot_svg(const Plot& plot, const std::string& described, double widt
 DrawingRow drawn(const std::vector<Plot>& plots, const std::string& caption, bool may_be_wide) {
   constexpr double wide = 500.0;
   DrawingRow row;
-  row.wide = may_be_wide && plots.size() == 1;
-  row.large = !row.wide;
+  const bool alone = may_be_wide && plots.size() == 1;
+  row.size = alone ? DrawingSize::wide : DrawingSize::large;
   for (const Plot& plot : plots)
-    row.drawings.push_back({plot.title, plot_svg(plot, caption, row.wide ? wide : drawing_width), "", ""});
+    row.drawings.push_back({plot.title, plot_svg(plot, caption, alone ? wide : drawing_width), "", ""});
   row.caption = caption;
   return row;
 }

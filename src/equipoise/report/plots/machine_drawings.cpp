@@ -242,7 +242,7 @@ std::string run_up_svg(const MachinePage& page) {
 
 DrawingRow run_up_drawing(const MachinePage& page) {
   DrawingRow row;
-  row.whole = true;
+  row.size = DrawingSize::whole;
   row.drawings.push_back({"", run_up_svg(page), "", ""});
   row.caption = runs_caption(page);
   return row;

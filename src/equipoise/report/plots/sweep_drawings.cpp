@@ -161,8 +161,7 @@ std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
 
 DrawingRow sweep_drawing(const SweepResult& r) {
   DrawingRow row;
-  row.wide = r.axes.size() < 3;
-  row.large = !row.wide;
+  row.size = r.axes.size() < 3 ? DrawingSize::wide : DrawingSize::large;
   row.caption = r.axes.size() == 1 ? "Shares of starts, stacked; strokes: 95 % interval of the balanced share."
                                    : "Balanced share of the starts in every cell, in per cent where there is room.";
   if (r.axes.size() == 1)

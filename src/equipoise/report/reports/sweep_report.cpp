@@ -252,8 +252,7 @@ Document document_of(const SweepResult& r) {
     if (const auto peaks = peak_plot(r))
       document.add(DrawingRow{{{"Peak displacement on the way", plot_svg(*peaks, "Peaks along the parameter"), "", ""}},
                               "With 95 % intervals.",
-                              false,
-                              true});
+                              DrawingSize::wide});
     document.add(cells_table(r, columns, totals));
   }
   if (const std::string others = others_text(columns); !others.empty()) document.add(Paragraph{others});
