@@ -215,6 +215,18 @@ std::string lost_curves_text(const BifurcationChart& chart) {
                                    : "");
 }
 
+// "balance stable; balls together unstable (2)".
+std::string region_words(const BifurcationChart& chart, const ChartRegion& region) {
+  std::string text = fmt::format("balance {}", balance_words(region.balance));
+  for (std::size_t k = 0; k < region.locked.size(); ++k)
+    for (const auto& [count, kind] :
+         {std::pair{region.locked[k].stable, BalanceKind::stable}, {region.locked[k].unstable, BalanceKind::unstable}})
+      if (count > 0)
+        text += "; " + fmt::format("{} {}{}", chart.locked[k], balance_words(kind),
+                                   count > 1 ? fmt::format(" ({})", count) : std::string());
+  return text;
+}
+
 // A line per region: letter, part of the plane, what is at rest there.
 Brief regions_list(const BifurcationChart& chart) {
   std::string lines;
@@ -286,17 +298,6 @@ Json region_json(const BifurcationChart& chart, const ChartRegion& r) {
 
 }  // namespace
 
-std::string region_words(const BifurcationChart& chart, const ChartRegion& region) {
-  std::string text = fmt::format("balance {}", balance_words(region.balance));
-  for (std::size_t k = 0; k < region.locked.size(); ++k)
-    for (const auto& [count, kind] :
-         {std::pair{region.locked[k].stable, BalanceKind::stable}, {region.locked[k].unstable, BalanceKind::unstable}})
-      if (count > 0)
-        text += "; " + fmt::format("{} {}{}", chart.locked[k], balance_words(kind),
-                                   count > 1 ? fmt::format(" ({})", count) : std::string());
-  return text;
-}
-
 BalanceLoss balance_loss(const BifurcationChart& chart) {
   BalanceLoss loss;
   for (const ChartCurve& curve : chart.curves) {
@@ -360,7 +361,7 @@ std::string json_text(const BifurcationChart& chart) {
 
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
-      chart.complete ? "" : fmt::format("# equipoise {}: chart{}\n", version_string, ", PARTIAL: stopped early");
+      chart.complete ? "" : fmt::format("# equipoise {}: chart, PARTIAL: stopped early\n", version_string);
   text += fmt::format("curve,kind,of,{},{}", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += std::string(",") + curve_numbers[n].name;
   text += "\n";

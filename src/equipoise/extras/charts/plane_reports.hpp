@@ -64,9 +64,6 @@ std::string chart_csv(const BifurcationChart& chart);
 /// special points; letters of regions.
 DrawingRow chart_drawing(const BifurcationChart& chart);
 
-/// "balance stable; balls together unstable (2)".
-std::string region_words(const BifurcationChart& chart, const ChartRegion& region);
-
 /// Regions that are told of and drawn, the largest first: no part below half a percent, and at most as many as letters.
 inline std::size_t told_regions(const BifurcationChart& chart) {
   constexpr std::size_t letters = 26;

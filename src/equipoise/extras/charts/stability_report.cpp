@@ -245,7 +245,7 @@ std::string json_text(const StabilityPlane& plane) {
 
 std::string stability_csv(const StabilityPlane& plane) {
   std::string text =
-      plane.complete ? "" : fmt::format("# equipoise {}: stability{}\n", version_string, ", PARTIAL: stopped early");
+      plane.complete ? "" : fmt::format("# equipoise {}: stability, PARTIAL: stopped early\n", version_string);
   text += fmt::format("{},{}", plane.x.key, plane.y.key);
   for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
   text += "\n";
