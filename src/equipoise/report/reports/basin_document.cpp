@@ -216,15 +216,6 @@ class BasinDocument {
   }
 
  private:
-  // Lines as sentences.
-  void add_lines(const std::string& lines) {
-    for (std::size_t begin = 0; begin < lines.size();) {
-      const std::size_t end = std::min(lines.find('\n', begin), lines.size());
-      if (end > begin) document_.add(Paragraph{lines.substr(begin, end - begin)});
-      begin = end + 1;
-    }
-  }
-
   void stopped() {
     if (study_.parameters.balls == 0 ? r_.without_balls.has_value() : !r_.partial && r_.starts > 0) return;
     std::string text = "PARTIAL: stopped before anything was known.";
@@ -267,7 +258,7 @@ class BasinDocument {
     if (page_) document_.add(ends_drawing(*page_));
     document_.add(outcome_table(r_, details_ || page_));
     if (const std::string none = none_words(r_); !none.empty()) document_.add(Paragraph{none});
-    add_lines(left_unbalance_text(r_.attractors, study_));
+    document_.add_lines(left_unbalance_text(r_.attractors, study_));
   }
 
   // Transients on the way there.
@@ -282,12 +273,12 @@ class BasinDocument {
   void more() {
     if (r_.transients && details_) add_transients(document_, *r_.transients, study_);
     if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
-    if (details_) add_lines(decided_text(r_));
-    if (r_.passed) add_lines(passage_text(r_));
-    if (r_.met) add_lines(contact_text(*r_.met));
+    if (details_) document_.add_lines(decided_text(r_));
+    if (r_.passed) document_.add_lines(passage_text(r_));
+    if (r_.met) document_.add_lines(contact_text(*r_.met));
     if (const std::string hanging = hanging_text(study_); !page_ && !hanging.empty())
       document_.add(Paragraph{fmt::format("Warning: {}.", hanging), Tone::open});
-    add_lines(sampling_text(r_));
+    document_.add_lines(sampling_text(r_));
   }
 
   // How that is known.
