@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
@@ -190,9 +189,8 @@ void table_7_evidence(const Reproduction& r, Document& d) {
 
 void table_section(const Reproduction& r, const ReproducedTable& t, Document& d) {
   d.add(Heading{2, fmt::format("Table {}", t.published->number), fmt::format("table-{}", t.published->number)});
-  std::string opening = fmt::format("{}. Shares in percent of starts with random ball angles.", t.published->title);
-  opening.front() = static_cast<char>(std::toupper(opening.front()));
-  d.add(Paragraph{opening});
+  d.add(Paragraph{
+      capitalised(fmt::format("{}. Shares in percent of starts with random ball angles.", t.published->title))});
   if (!t.published->unclaimed.empty())
     d.add(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto plot = table_plot(t))

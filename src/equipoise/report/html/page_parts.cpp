@@ -90,7 +90,7 @@ Document document_with(const Study& study, const std::string& answer, const std:
   if (!answer.empty()) document.add(Paragraph{answer, Tone::plain, true});
   std::string lines = study_heading(study) + drawn, held = release_text(study);
   lines.erase(lines.find_last_not_of('\n') + 1);
-  if (!held.empty()) held.front() = 'B', held += ".";
+  if (!held.empty()) held = capitalised(held) + ".";
   document.add(Brief{lines, held});
   return document;
 }

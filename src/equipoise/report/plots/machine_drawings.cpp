@@ -167,11 +167,6 @@ std::string speed_svg(const MachinePage& page) {
   return svg.str();
 }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::string runs_caption(const MachinePage& page) {
   const Study& study = page.basin.study;
   std::string text =
@@ -255,7 +250,8 @@ DrawingRow ends_drawing(const MachinePage& page) {
   for (const DrawnMotion& motion : page.motions)
     if (!motion.x.empty()) row.drawings.push_back(motion_drawing(page, motion));
   for (const FigureDistribution& d : page.peaks)
-    row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page, d), "", ""});
+    row.drawings.push_back(
+        {capitalised(d.limited->figure().title) + ", all starts", distribution_svg(page, d), "", ""});
   if (!page.runs.empty() && !run_up_tells_speed(page))
     row.drawings.push_back({"Speed over time", speed_svg(page), "", ""});
   row.caption =

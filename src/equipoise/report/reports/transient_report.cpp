@@ -305,10 +305,8 @@ DocumentTable way_table(const BasinResult& r) {
 
 std::vector<std::string> without_balls_words(const BasinResult& r) {
   std::vector<std::string> words;
-  const auto say = [&](std::string sentence) {
-    if (sentence.empty()) return;
-    if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
-    words.push_back(sentence + ".");
+  const auto say = [&](const std::string& sentence) {
+    if (!sentence.empty()) words.push_back(capitalised(sentence) + ".");
   };
   say(places_words(r));
   if (tells_without_balls(r))

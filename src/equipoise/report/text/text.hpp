@@ -13,6 +13,11 @@
 
 namespace equipoise {
 
+/// With a capital letter, as a sentence begins.
+inline std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
 /// "60.40 %".
 std::string percent(double share, int digits);
 /// Digits of a percentage that its interval supports.
