@@ -21,7 +21,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/report/plots/plots.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
