@@ -118,9 +118,7 @@ auto made(Make make) {
 /// A method that gives its page.
 template <class Result>
 auto paged() {
-  return [](const Kept<Result>& kept) {
-    return document_page(document_of(kept.result), kept.result.study, machine_of(kept));
-  };
+  return [](const Kept<Result>& kept) { return result_page(kept.result, machine_of(kept)); };
 }
 
 /// A method that writes the result.

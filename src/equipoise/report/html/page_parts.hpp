@@ -31,5 +31,9 @@ void add_origin(Document& document, const Study& study, const std::string& words
 /// network or scripts, for light and dark screens, phones, and two pages of A4 unless the study states more than most.
 /// `machine`: from the original study (report/html/given_machine.hpp).
 std::string document_page(Document document, const Study& study, const GivenMachine& machine);
+template <class Result>
+std::string result_page(const Result& result, const GivenMachine& machine) {
+  return document_page(document_of(result), result.study, machine);
+}
 
 }  // namespace equipoise
