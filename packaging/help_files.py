@@ -20,12 +20,12 @@ class Entry:
 
     def __init__(self, left, text):
         self.text = text
-        self.required = " REQUIRED" in f" {left}"
-        left = re.sub(r" (Excludes|Needs): .*| REQUIRED", "", left)
         self.repeated = left.endswith(" ...")
         left = left.removesuffix(" ...")
         names, _, self.value = left.partition(" ")
         self.names = names.split(",")
+        if not left.startswith("-"):
+            self.value = names
 
     def choices(self):
         """The words that an argument may be, where its help lists them."""
@@ -44,21 +44,25 @@ class Help:
 
     def __init__(self, program, *command):
         text = subprocess.run([program, *command, "--help"], check=True, capture_output=True, text=True).stdout
-        head, rest = text.split("\n\n", 1)
-        self.about, self.usage = (" ".join(part.split()) for part in head.split("Usage: "))
-        self.sections, footer, section = {}, [], None
-        for line in rest.split("\n"):
-            if re.fullmatch(r"[A-Z]\w+:", line):
-                section = self.sections.setdefault(line[:-1], [])
-            elif section is not None and re.match(r" {2,}\S", line):
-                section.append(line)
-            elif line:
-                footer.append(line)
+        about, rest = text.split("\n\n", 1)
+        usage, rest = rest.split("\n\n", 1)
+        self.about = " ".join(about.partition(": ")[2].split())
+        self.usage = [line.strip() for line in usage.removeprefix("Usage: ").split("\n")]
+        self.examples, footer, entries = [], [], []
+        for part in rest.strip().split("\n\n"):
+            title, *lines = part.split("\n")
+            if not lines or not lines[0].startswith("  "):
+                footer += [title, *lines]
+            elif title.startswith("Example"):
+                self.examples = [line.strip() for line in lines]
+            else:
+                entries += self.listed(lines)
         self.footer = " ".join(footer)
-        self.sections = {name: self.entries(lines) for name, lines in self.sections.items()}
+        self.options = [entry for entry in entries if entry.names[0].startswith("-")]
+        self.others = [entry for entry in entries if not entry.names[0].startswith("-")]  # arguments, commands
 
     @staticmethod
-    def entries(lines):
+    def listed(lines):
         found = []
         for line in lines:
             if line.startswith("   "):
@@ -67,9 +71,6 @@ class Help:
                 left, text = re.fullmatch(r"  (.*?)(?: {2,}(.*))?", line).groups()
                 found.append([left, text or ""])
         return [Entry(*one) for one in found]
-
-    def of(self, name):
-        return self.sections.get(name, [])
 
 
 def roff(text):
@@ -85,31 +86,34 @@ def tagged(entry):
     value = f" \\fI{roff(entry.value)}\\fP" if entry.value else ""
     names = ", ".join(bold(name) for name in entry.names) if entry.names[0].startswith("-") else ""
     tag = (names + value).strip() + (" ..." if entry.repeated else "")
-    about = entry.text + (" (required)" if entry.required and names else "")
-    return f".TP\n{tag}\n{roff(about)}\n"
+    return f".TP\n{tag}\n{roff(entry.text)}\n"
 
 
 def exit_codes(footer):
-    """The help's exit codes as a list, and its other sentences."""
-    listed, others = re.fullmatch(r"Exit codes: (.*?\.) (.*)", footer).groups()
-    codes = "".join(f".TP\n.B {code}\n{roff(words)}\n"
-                    for code, words in re.findall(r"(\d+) (.*?)(?=, \d+ |\.$)", listed))
+    """The other sentences of the program's help, and its exit codes as a list."""
+    others, listed = re.fullmatch(r"(.*?) Exit codes: (.*)\.", footer).groups()
+    codes = "".join(f".TP\n.B {code}\n{roff(words)}\n" for code, words in re.findall(r"(\d+) (.*?)(?=, \d+ |$)", listed))
     return codes, roff(others)
 
 
-def page(name, help_text, version, body, see_also):
-    codes, others = exit_codes(help_text.footer)
+def verbatim(lines):
+    return ".nf\n" + "".join(roff(line) + "\n" for line in lines) + ".fi\n"
+
+
+def page(name, help_text, version, body, footer, see_also):
+    codes, others = exit_codes(footer)
     return (f".TH {name.upper()} 1 \"\" \"Equipoise {version}\" \"Equipoise\"\n"
             f".SH NAME\n{roff(name)} \\- {roff(help_text.about)}\n"
-            f".SH SYNOPSIS\n{roff(help_text.usage)}\n{body}.SH EXIT STATUS\n{codes}.PP\n{others}\n"
+            f".SH SYNOPSIS\n{verbatim(help_text.usage)}{body}"
+            f".SH EXAMPLES\n{verbatim(help_text.examples)}.SH EXIT STATUS\n{codes}.PP\n{others}\n"
             f".SH SEE ALSO\n.nh\n{see_also}\n")
 
 
 def options(help_text):
     body = ""
-    for section, title in (("Positionals", "ARGUMENTS"), ("Options", "OPTIONS")):
-        if help_text.of(section):
-            body += f".SH {title}\n" + "".join(tagged(entry) for entry in help_text.of(section))
+    for entries, title in ((help_text.others, "ARGUMENTS"), (help_text.options, "OPTIONS")):
+        if entries:
+            body += f".SH {title}\n" + "".join(tagged(entry) for entry in entries)
     return body
 
 
@@ -117,17 +121,16 @@ def main():
     program, folder, studies = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
     version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.split()[1]
     everything = Help(program)
-    commands = {entry.names[0]: Help(program, entry.names[0]) for entry in everything.of("Subcommands")}
+    commands = {entry.names[0]: Help(program, entry.names[0]) for entry in everything.others}
 
-    pages = {f"equipoise-{name}": page(f"equipoise-{name}", help_text, version, options(help_text), "\\fBequipoise\\fP(1)")
+    pages = {f"equipoise-{name}": page(f"equipoise-{name}", help_text, version, options(help_text), everything.footer,
+                                       "\\fBequipoise\\fP(1)")
              for name, help_text in commands.items()}
-    body = options(everything) + ".SH COMMANDS\n"
-    for entry in everything.of("Subcommands"):
+    body = ".SH COMMANDS\n"
+    for entry in everything.others:
         body += f".TP\n{bold(entry.names[0])}\n{roff(entry.text)}\n"
-    example = f"equipoise basin {studies}/paper/table-2-omega-2.4.toml"
-    body += f".SH EXAMPLE\n.nf\n{roff(example)}\n.fi\n.PP\nhow surely the balancer of a published case balances\n"
-    body += f".SH FILES\n.TP\n.I {roff(studies)}\nstudies to try and to begin with\n"
-    pages["equipoise"] = page("equipoise", everything, version, body,
+    body += f".SH FILES\n.TP\n.I {roff(studies)}\nready studies to try\n"
+    pages["equipoise"] = page("equipoise", everything, version, body, everything.footer,
                               ",\n".join(f"\\fB{roff(name)}\\fP(1)" for name in sorted(pages)))
     (folder / "man1").mkdir(parents=True, exist_ok=True)
     for old in (folder / "man1").iterdir():

@@ -86,16 +86,17 @@ int run_attractors(const AttractorsArguments& a) {
 Command add_attractors(CLI::App& app) {
   const auto a = std::make_shared<AttractorsArguments>();
   add_study(app, *a);
-  add_starts(app, *a, fmt::format("starts to search (default {})", search_starts).c_str(), "seed of the random starts");
+  add_starts(app, *a, fmt::format("number of runs to search with (default {})", search_starts).c_str(),
+             "seed of the random starts");
   app.add_option("--state", a->states,
-                 "also follow this state, for attractors too rare to be met by chance: x,y,u,v, ball angles, ball "
+                 "also start here, to reach attractors too rare to meet by chance: x,y,u,v, ball angles, ball "
                  "rates, as \"state\" in --json prints them; may be repeated")
       ->type_name("X,Y,...")
       ->take_all();
-  app.add_option("--along", a->along,
-                 "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
-                 "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides "
-                 "the pilot's")
+  app.add_option(
+         "--along", a->along,
+         "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or with units "
+         "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: also search with that many runs at every value")
       ->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output,
                  "with --along: one line per value and attractor (.csv), or the same as NetCDF (.nc)")

@@ -183,9 +183,9 @@ int run_report(const ReportArguments& a) {
 Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
   add_study(app, *a);
-  add_starts(app, *a, "number of starts (with --half-width: at most so many)");
+  add_starts(app, *a, "number of runs; with --half-width, the maximum");
   app.add_option("--half-width", a->half_width,
-                 "sample until every share's 95 % interval is within +- H (a fraction of one)")
+                 "keep sampling until every 95 % interval is narrower than +-H (e.g. 0.005 for +-0.5 %)")
       ->type_name("H");
   app.add_option_function<std::vector<std::string>>(
          "--sensitivity",
@@ -193,20 +193,22 @@ Command add_basin(CLI::App& app) {
            a->sensitivity = true;
            if (!given.empty() && !given.front().empty()) a->rows = given.front();
          },
-         "what balance depends on most, of a study with uncertain values: Sobol indices from N rows of starts")
+         "for studies with uncertain values: which of them matters most (Sobol indices, N rows)")
       ->expected(0, 1)
       ->type_name("[N]");
-  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
+  app.add_option("--start-index", a->start_index, "replay run I alone and print its starting angles and outcome")
       ->type_name("I");
-  app.add_option("--decide", a->decide, "grounds of decision: validated (default), proof (of balance) or horizon")
+  app.add_option("--decide", a->decide,
+                 "how early outcomes are decided: validated (default), proof, horizon (never early)")
       ->type_name("HOW");
-  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
+  app.add_option("-o,--output", a->output, "save every run here (NetCDF); rerun the command to resume or extend")
       ->type_name("FILE.nc");
-  CLI::Option* asked = app.add_flag("--transients", a->transients,
-                                    "peak vibration, bearing force, settling time and other transients (default where "
-                                    "the study has [limits] or [standards], or is in physical units)");
-  app.add_flag("--no-transients", a->no_transients, "leave these out, and with them the verdict")->excludes(asked);
-  app.add_option("--report", a->report, "the same as a page to take to a meeting (see report); with --transients")
+  CLI::Option* asked =
+      app.add_flag("--transients", a->transients,
+                   "peak vibration, bearing force, settling time and the verdict (on by default if the "
+                   "study has [limits] or [standards] or uses units)");
+  app.add_flag("--no-transients", a->no_transients, "skip vibration figures and the verdict")->excludes(asked);
+  app.add_option("--report", a->report, "also write the printable HTML report, with vibration figures")
       ->type_name("FILE.html");
   add_no_changes(app, a->no_changes);
   add_wide(app);
@@ -220,9 +222,7 @@ Command add_basin(CLI::App& app) {
 Command add_report(CLI::App& app) {
   const auto a = std::make_shared<ReportArguments>();
   add_study(app, *a);
-  app.add_option("-o,--output", a->output, "page to write: one file that needs nothing else")
-      ->required()
-      ->type_name("FILE.html");
+  app.add_option("-o,--output", a->output, "HTML report to write, in one file")->required()->type_name("FILE.html");
   add_starts(app, *a);
   add_no_changes(app, a->no_changes);
   add_overrides(app, a->overrides);

@@ -101,28 +101,30 @@ int run_capacity(CapacityArguments& a) {
 Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
   add_study(app, *a);
-  app.add_option("--of", a->of,
-                 "the parameter to maximise, any key that --set takes (default: the unbalance, in g mm of a study in "
-                 "physical units, else rotor.eccentricity)")
+  app.add_option(
+         "--of", a->of,
+         "the parameter to maximise, any key that --set takes (default: the unbalance, in g mm if the study has "
+         "physical units, otherwise rotor.eccentricity)")
       ->type_name("KEY");
   app.add_option("--between", a->between,
                  "range to search, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an unbalance: up to what all "
-                 "balls together can make up for)")
+                 "balls together can cancel)")
       ->type_name("LOW:HIGH");
-  app.add_option("--by", a->by,
-                 "what a start must do: balanced (default), limits (keep all of [limits]), or one limit by its name")
+  app.add_option(
+         "--by", a->by,
+         "what a run must do: balanced (default), limits (stay within all of [limits]), or one limit by its name")
       ->type_name("WHAT");
-  app.add_option("--at-least", a->at_least, "share of starts that must do it (default 0.95)")->type_name("SHARE");
-  app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
+  app.add_option("--at-least", a->at_least, "fraction of runs that must do it (default 0.95)")->type_name("SHARE");
+  app.add_option("--precision", a->precision, "how closely to locate it, as a fraction of the range (default 0.005)")
       ->type_name("P");
-  app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")
+  app.add_option("--over", a->over, "a parameter and its values, as for equipoise sweep; up to three times")
       ->type_name("KEY=VALUES")
       ->take_all();
   add_zip(app, a->zip);
-  add_starts(app, *a, "number of starts of every ensemble (default 10000)",
-             "seed of the starts, which are the same in all");
+  add_starts(app, *a, "number of runs per ensemble (default 10000)",
+             "seed of the random starts, the same in all ensembles");
   app.add_option("-o,--output", a->output,
-                 "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
+                 "all cells as NetCDF (.nc), saved as they finish; rerun the command to resume")
       ->type_name("FILE");
   add_forms(app, *a, {"one line per cell (.csv)", "a picture"});
   add_usual(app, *a);

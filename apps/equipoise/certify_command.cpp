@@ -74,7 +74,8 @@ int run_certify(const CertifyArguments& a) {
 Command add_certify(CLI::App& app) {
   const auto a = std::make_shared<CertifyArguments>();
   add_study(app, *a)->required(false);
-  app.add_option("--check", a->check, "verify a certificate's file instead, from its own data")->type_name("FILE.json");
+  app.add_option("--check", a->check, "verify a certificate file from its own data, without a study")
+      ->type_name("FILE.json");
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
   add_json(app, a->json);

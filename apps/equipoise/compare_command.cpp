@@ -61,13 +61,13 @@ int run_compare(const CompareArguments& a) {
 Command add_compare(CLI::App& app) {
   const auto a = std::make_shared<CompareArguments>();
   app.add_option("first", a->first, "study file (TOML), or a result of basin -o (.nc)")->required()->type_name("FIRST");
-  app.add_option("second", a->second, "study file or result that is compared with it")->required()->type_name("SECOND");
-  add_starts(app, *a, "number of starts of both", "seed of the starts of both");
+  app.add_option("second", a->second, "study file or result to compare with it")->required()->type_name("SECOND");
+  add_starts(app, *a, "number of runs of each", "seed of the random starts, the same for both");
   app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
   app.add_flag("--transients", a->transients,
-               "also compare peaks, forces, settling time and other transients (default where a study has [limits])");
+               "also compare peak vibration, forces and settling time (default if a study has [limits])");
   add_usual(app, *a);
   add_json(app, a->json);
   return [a] { return run_compare(*a); };

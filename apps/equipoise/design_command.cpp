@@ -74,15 +74,14 @@ int run_design(const DesignArguments& a) {
 
 Command add_design(CLI::App& app) {
   const auto a = std::make_shared<DesignArguments>();
-  add_study(app, *a, "study file (TOML); without a [design] one is proposed and taken");
-  app.add_option("--best", a->best, "write the chosen design as a study that every other command takes")
-      ->type_name("FILE.toml");
+  add_study(app, *a, "study file (TOML); without [design], a standard one is proposed and used");
+  app.add_option("--best", a->best, "save the chosen design as a study file")->type_name("FILE.toml");
   app.add_option("--trajectories", a->trajectories,
                  "budget (default: design.trajectories, else 2000000; a proposed [design] states its own)")
       ->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts, which are the same for all candidates")->type_name("S");
+  app.add_option("--seed", a->seed, "seed of the random starts, the same for all candidates")->type_name("S");
   app.add_option("-o,--output", a->output,
-                 "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
+                 "all ensembles as NetCDF (.nc), saved as they finish; rerun the command to resume")
       ->type_name("FILE");
   add_forms(app, *a, {"one line per member of the front (.csv)", "a picture"});
   add_usual(app, *a);

@@ -1,4 +1,4 @@
-// equipoise: will this automatic balancer balance this rotor, how surely, how fast?
+// equipoise: will a ball balancer work on this rotor?
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -20,6 +20,7 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/study/toml/overrides.hpp"
+#include "help.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"
@@ -70,38 +71,22 @@ std::vector<char*> words_of(const CLI::App& app, int argc, char** argv) {
 }
 
 int run(int given, char** arguments) {
-  CLI::App app("Will this automatic balancer balance this rotor, how surely and how fast?");
+  CLI::App app;
   app.name("equipoise");
-  fold_help(app);
+  app.set_help_flag("-h,--help", "print this help");
+  set_help(app);
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
-  app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 4 out of time (--within) with a "
-      "partial answer, 130 interrupted with results kept.\nData go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
-  const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
-    CLI::App* sub = app.add_subcommand(name, description);
-    commands.emplace_back(sub, make(*sub));
-  };
-  add("attractors", "every steady motion of the final speed: refined, named, with its share", add_attractors);
-  add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
-  add("capacity", "the largest unbalance, or other parameter, at which a stated share of starts balances",
-      add_capacity);
-  add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
-  add("chart", "curves in a plane of two parameters on which balance changes, and what is proved beside", add_chart);
-  add("check", "what was understood of a study, what was assumed, and which estimate matters most", add_check);
-  add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
-  add("design", "the best balancer or spin-up among allowed choices, with margins and evidence", add_design);
-  add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
-  add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
-  add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
-  add("merge", "joins files of one sweep from several machines or runs", add_merge);
-  add("new", "a commented study to start from: a washing machine, a fan, any machine", add_new);
-  add("report", "a page on one machine for two printed sheets: verdict, shares, motions, peaks, runs", add_report);
-  add("reproduce", "what Wright and Peng (2019) published, computed again and judged", add_reproduce);
-  add("simulate", "one trajectory at stated times", add_simulate);
-  add("stability", "where balance is stable in a plane of two parameters, by eigenvalues alone", add_stability);
-  add("sweep", "shares at every combination of some parameters' values", add_sweep);
+  for (const CommandGroup& group : command_groups())
+    for (const CommandEntry& command : group.commands) {
+      CLI::App* sub = app.add_subcommand(command.name, command.words);
+      commands.emplace_back(sub, command.add(*sub));
+    }
+  if (given < 2) {
+    put_error(program_help());
+    return bad_input;
+  }
   std::vector<char*> words = words_of(app, given, arguments);
   const int argc = static_cast<int>(words.size());
   char** argv = words.data();
@@ -114,7 +99,7 @@ int run(int given, char** arguments) {
       put(text.str());
       return code;
     }
-    say(usage_error(app, e, argc, argv));
+    say(usage_error(app, e, argv));
     return bad_input;
   }
   for (auto& [sub, command] : commands) {

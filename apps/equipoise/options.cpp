@@ -129,19 +129,18 @@ TextStyle& asked_style() {
 }  // namespace
 
 void add_no_changes(CLI::App& app, bool& no_changes) {
-  app.add_flag("--no-changes", no_changes,
-               "do not try changes to a balancer that falls short (up to eight, on up to 100 starts each)");
+  app.add_flag("--no-changes", no_changes, "if the verdict is negative, don't test standard improvements");
 }
 
 void add_wide(CLI::App& app) {
   app.add_flag_callback(
-      "--wide", [] { asked_style().width = 0; }, "every column, without line breaks");
+      "--wide", [] { asked_style().width = 0; }, "all columns, no line wrapping");
 }
 
 void add_details(CLI::App& app) {
   app.add_flag_callback(
       "--details", [] { asked_style().details = true; },
-      "also how starts were decided, and every figure of every outcome with its interval");
+      "everything: clamped balls, contact, how runs were decided, all figures with intervals");
 }
 
 TextStyle text_style() {
@@ -157,10 +156,10 @@ void add_usual(CLI::App& app, CommonArguments& a) {
   add_computing(app, a);
 }
 
-void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
+void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress line"); }
 
 void add_zip(CLI::App& app, bool& zip) {
-  app.add_flag("--zip", zip, "the parameters vary together, step by step, instead of in all combinations");
+  app.add_flag("--zip", zip, "vary the parameters together, step by step, instead of in all combinations");
 }
 
 void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print one JSON object"); }

@@ -73,8 +73,8 @@ struct CommonArguments {
 /// STUDY.
 CLI::Option* add_study(CLI::App& app, CommonArguments& a, const char* words = "study file (TOML)");
 /// --starts and --seed.
-void add_starts(CLI::App& app, CommonArguments& a, const char* starts = "number of starts",
-                const char* seed = "seed of the starts");
+void add_starts(CLI::App& app, CommonArguments& a, const char* starts = "number of runs",
+                const char* seed = "seed of the random starts");
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 /// --threads, --cpu, --within and --quiet, which all commands have that compute.

@@ -111,7 +111,7 @@ void add_axes(CLI::App& app, PlaneArguments& a, const char* x, const char* y, co
   add_study(app, a);
   app.add_option("--x", a.x, x)->type_name("KEY[=LOW:HIGH]");
   app.add_option("--y", a.y, y)->type_name("KEY[=LOW:HIGH]");
-  app.add_option("--x-range", a.x_range, "the range of --x, where it names only a key")->type_name("LOW:HIGH");
+  app.add_option("--x-range", a.x_range, "the range of --x, if it names only a key")->type_name("LOW:HIGH");
   app.add_option("--y-range", a.y_range, "the same for --y")->type_name("LOW:HIGH");
   app.add_option("--size", a.size, size)->type_name("WIDTHxHEIGHT");
 }
@@ -178,13 +178,12 @@ Command add_stability(CLI::App& app) {
 
 Command add_chart(CLI::App& app) {
   const auto a = arguments_over<ChartArguments>("speed.final", "balancer.drag", "64x64");
-  add_parameters(app, *a, "points of the grid from which curves begin (default 64x64)");
-  app.add_option("--boxes", a->boxes, "most boxes that proofs may try (default 200000); 0: prove nothing")
+  add_parameters(app, *a, "grid from which curves are followed (default 64x64)");
+  app.add_option("--boxes", a->boxes, "maximum number of boxes for proofs (default 200000); 0 for no proofs")
       ->type_name("N");
-  app.add_option("--undecided", a->undecided, "proofs end when no more of the plane than this is undecided (default 1)")
+  app.add_option("--undecided", a->undecided, "proofs end once at most this much of the plane is undecided (default 1)")
       ->type_name("PERCENT");
-  app.add_flag("--cycles", a->cycles,
-               "also curves on which the cycles born on Hopf curves change; takes up to minutes");
+  app.add_flag("--cycles", a->cycles, "also follow bifurcations of the cycles born at Hopf points; may take minutes");
   app.add_option("-o,--output", a->output, "curves, points and boxes as NetCDF (.nc)")->type_name("FILE");
   add_forms(app, *a, {"one line per point of a curve (.csv)", "a picture of curves, points and boxes", false});
   add_usual(app, *a);
@@ -197,12 +196,13 @@ Command add_map(CLI::App& app) {
            "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number, "
            "and its range, e.g. initial.phi_1=-pi/2:pi/2 (default initial.phi_1; ball angles: a whole turn)",
            "the same from bottom to top (default initial.phi_2)", "pixels (default 512x512)");
-  app.add_option("--tie", a->ties, "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated")
+  app.add_option("--tie", a->ties, "tie a ball angle to another, e.g. phi_2=phi_1+pi; may be repeated")
       ->type_name("PHI_I=PHI_J+ANGLE")
       ->take_all();
-  app.add_option("-o,--output", a->output,
-                 "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and "
-                 "reads what is there")
+  app.add_option(
+         "-o,--output", a->output,
+         "every pixel's outcome and time as NetCDF (.nc), saved as they finish; rerun to resume an interrupted map or "
+         "to reload a finished one")
       ->type_name("FILE");
   add_forms(app, *a, {nullptr, "a picture, darker where decided later"});
   add_usual(app, *a);

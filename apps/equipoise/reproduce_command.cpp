@@ -144,13 +144,12 @@ Command add_reproduce(CLI::App& app) {
          "what", a->what,
          fmt::format("any of {} (default: all), separated by blanks or commas", fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
-  app.add_option("--starts", a->starts, "starts per ensemble (default: as many as the paper used)")->type_name("N");
+  app.add_option("--starts", a->starts, "runs per ensemble (default: as in the paper)")->type_name("N");
   app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
-  app.add_option("--report", a->report, "one page with everything (HTML)")->type_name("FILE.html");
-  app.add_option("--explorer", a->explorer,
-                 "path of the explorer's page relative to the report, whose rows then link to their settings there")
+  app.add_option("--report", a->report, "one HTML page with everything")->type_name("FILE.html");
+  app.add_option("--explorer", a->explorer, "link each row to the explorer; give its path relative to the report")
       ->type_name("PAGE");
-  app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
+  app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; rerun the command to resume")
       ->type_name("DIR");
   app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");
   add_wide(app);

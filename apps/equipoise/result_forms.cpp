@@ -15,9 +15,7 @@ void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", forms.plot, words.plot)->type_name("FILE.svg");
   if (words.page)
-    app.add_option("--report", forms.report,
-                   "the same as a page to take to a meeting: one file that needs nothing else")
-        ->type_name("FILE.html");
+    app.add_option("--report", forms.report, "also write a printable HTML report, in one file")->type_name("FILE.html");
   add_json(app, forms.json);
 }
 

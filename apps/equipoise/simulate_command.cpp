@@ -109,13 +109,13 @@ int run_simulate(const SimulateArguments& a) {
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
   add_study(app, *a);
-  app.add_option("--at", a->at, "times, separated by commas (in 1/omega_c, or with units: 2 s)")
+  app.add_option("--at", a->at, "times, separated by commas, in 1/omega_c or with units, e.g. 2 s")
       ->take_all()
       ->type_name("T,T,...");
-  app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
-  app.add_option("--until", a->until, "last time (the same)")->type_name("T");
+  app.add_option("--every", a->every, "time between rows, in 1/omega_c or with units")->type_name("DT");
+  app.add_option("--until", a->until, "last time, in 1/omega_c or with units")->type_name("T");
   app.add_option("--tolerance", a->tolerance, "relative error allowed per step (default 1e-12)")->type_name("E");
-  app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
+  app.add_option("-o,--output", a->output, "write to this file (.csv or .nc) instead of CSV to standard output")
       ->type_name("FILE");
   add_within(app, a->within);
   app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")

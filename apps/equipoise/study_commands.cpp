@@ -89,8 +89,9 @@ Command add_explain(CLI::App& app) {
   const auto a = std::make_shared<ExplainArguments>();
   add_study(app, *a);
   app.add_flag("--cost", a->cost,
-               "also how long basin takes, measured on a part of it: the search for attractors and the first starts");
-  app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
+               "also estimate how long basin takes, from its search for attractors and its first runs");
+  app.add_option("--within", a->within, "with --cost: the longest that the estimate may take (default 10s)")
+      ->type_name("TIME");
   add_wide(app);
   add_overrides(app, a->overrides);
   add_json(app, a->json);
@@ -102,7 +103,7 @@ Command add_new(CLI::App& app) {
   app.add_option("machine", a->machine, fmt::format("one of: {}", fmt::join(new_machines(), ", ")))
       ->required()
       ->type_name("MACHINE");
-  app.add_option("-o,--output", a->output, "write it here instead of to standard output; must be a new file")
+  app.add_option("-o,--output", a->output, "write it to this new file instead of to standard output")
       ->type_name("FILE.toml");
   return [a] { return run_new(*a); };
 }
@@ -113,7 +114,7 @@ Command add_inspect(CLI::App& app) {
     bool json = false;
   };
   const auto a = std::make_shared<Arguments>();
-  app.add_option("file", a->file, "file of results (.nc), or the unfinished part of one (.nc.part)")
+  app.add_option("file", a->file, "result file (.nc), or its unfinished part (.nc.part)")
       ->required()
       ->type_name("FILE");
   add_json(app, a->json);

@@ -148,21 +148,21 @@ Command add_sweep(CLI::App& app) {
   app.add_option(
          "--over", a->over,
          "a parameter and its values, e.g. speed.final=1.5:6:0.1, balancer.drag=0.01,0.05,0.1, \"speed.final=900 "
-         "rpm:4000 rpm:100 rpm\"; up to three times (default: what [sweep] of the study says)")
+         "rpm:4000 rpm:100 rpm\"; up to three times (default: [sweep] of the study)")
       ->type_name("KEY=VALUES")
       ->take_all();
   add_zip(app, a->zip);
-  add_starts(app, *a, "number of starts of every cell (with --half-width: at most so many)",
-             "seed of the starts, which are the same in every cell");
+  add_starts(app, *a, "number of runs per cell; with --half-width, the maximum",
+             "seed of the random starts, the same in every cell");
   app.add_option("--half-width", a->half_width,
-                 "sample in every cell until every share's 95 % interval is within +- H (a fraction of one)")
+                 "keep sampling in each cell until every 95 % interval is narrower than +-H (e.g. 0.005 for +-0.5 %)")
       ->type_name("H");
   app.add_flag("--transients", a->transients,
-               "peak vibration and other transients (default where the study has [limits])");
+               "also peak vibration, forces and settling time (default if the study has [limits])");
   app.add_option("-o,--output", a->output,
-                 "all cells as NetCDF (.nc), kept as they come; the same command goes on from it")
+                 "all cells as NetCDF (.nc), saved as they finish; rerun the command to resume")
       ->type_name("FILE");
-  app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
+  app.add_option("--shard", a->shard, "compute only part I of N; join the parts with equipoise merge")
       ->type_name("I/N");
   add_forms(app, *a, sweep_words);
   add_usual(app, *a);
@@ -171,10 +171,10 @@ Command add_sweep(CLI::App& app) {
 
 Command add_merge(CLI::App& app) {
   const auto a = std::make_shared<MergeArguments>();
-  app.add_option("files", a->files, "files of one sweep (.nc), or unfinished parts of them (.nc.part)")
+  app.add_option("files", a->files, "result files of one sweep (.nc), or their unfinished parts (.nc.part)")
       ->required()
       ->type_name("FILE");
-  app.add_option("-o,--output", a->output, "the merged file (.nc)")->type_name("FILE")->required();
+  app.add_option("-o,--output", a->output, "merged file to write (.nc)")->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
   add_wide(app);
   return [a] { return run_merge(*a); };

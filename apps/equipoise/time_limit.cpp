@@ -47,7 +47,7 @@ std::string going_on(Keeper keeper, const std::string& output) {
 
 void add_within(CLI::App& app, std::optional<std::string>& within) {
   app.add_option("--within", within,
-                 "stop after this time with what is known by then, marked partial: 90, 60s, 10min, 1.5h")
+                 "stop after this time and print the results so far, marked PARTIAL: 90, 60s, 10min, 1.5h")
       ->type_name("TIME");
 }
 

@@ -13,7 +13,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
-#include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise::app {
 
@@ -58,10 +57,9 @@ std::string unknown_option(const CLI::App& app, const std::string& place, const 
                      meant(name, option_names(app)), app.get_parent() ? "equipoise " + app.get_name() : "equipoise");
 }
 
-// The error for a missing command.
-std::string no_command(const CLI::App& app, int argc, char** argv) {
+// The error for a first word that is not a command.
+std::string no_command(const CLI::App& app, char** argv) {
   const std::string allowed = fmt::format("must be one of: {}", fmt::join(command_names(app), ", "));
-  if (argc < 2) return fmt::format("a command is missing; {} (equipoise --help says more)", allowed);
   const std::string typed = argv[1];
   if (typed.starts_with("-")) return unknown_option(app, "", typed);
   return fmt::format("unknown command \"{}\"{}; {}", display_text(typed), meant(typed, command_names(app)), allowed);
@@ -99,27 +97,9 @@ std::string missing(const CLI::App& command, const std::string& message) {
 
 }  // namespace
 
-void fold_help(CLI::App& app) {
-  constexpr std::size_t descriptions = 30;  // the column where they begin
-  CLI::Formatter plain;
-  plain.column_width(descriptions);
-  app.formatter_fn([plain](const CLI::App* command, std::string name, CLI::AppFormatMode mode) {
-    const TextStyle style;
-    const std::string help = plain.make_help(command, std::move(name), mode);
-    std::string folded;
-    for (std::size_t at = 0; at < help.size();) {
-      const std::size_t end = std::min(help.find('\n', at), help.size());
-      const std::string line = help.substr(at, end - at);
-      folded += line.empty() ? "\n" : lines_filled(line, style, line.starts_with("  ") ? descriptions : 0);
-      at = end + 1;
-    }
-    return folded;
-  });
-}
-
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error, char** argv) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
-  if (chosen.empty()) return no_command(app, argc, argv);
+  if (chosen.empty()) return no_command(app, argv);
   const CLI::App& command = *chosen.front();
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(command);
   std::string text = dynamic_cast<const CLI::ArgumentMismatch*>(&error) ? mismatch(command, error.what()) : "";

@@ -7,11 +7,8 @@
 
 namespace equipoise::app {
 
-/// Help of the application and its commands, in lines of 80 columns. Commands that are added later have it, too.
-void fold_help(CLI::App& app);
-
 /// What is wrong with a command line that `app` refuses.
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error, char** argv);
 
 /// Throws InputError for an option with an empty value, which never means anything.
 void refuse_empty_values(const CLI::App& command);

@@ -40,7 +40,7 @@ def told(program, *arguments, code=0):
 
 
 def test_every_command_has_a_call(program):
-    commands = re.findall(r"^  ([a-z]+) {4,}", program("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+    commands = re.findall(r"^  ([a-z]+) {2,}", program("--help").stdout, re.MULTILINE)
     assert len(commands) == 18
     assert [name for name in commands if not callable(getattr(eq, name, None))] == []
 

@@ -56,7 +56,7 @@ def help_pages(binary, root):
     shells = [share / "bash-completion/completions/equipoise", share / "zsh/vendor-completions/_equipoise",
               share / "fish/vendor_completions.d/equipoise.fish"]
     bash, zsh, fish = (file.read_text() for file in shells)
-    commands = re.findall(r"^  ([a-z]+) ", said(binary, "--help").split("Subcommands:")[1], re.MULTILINE)
+    commands = re.findall(r"^  ([a-z]+) {2,}", said(binary, "--help"), re.MULTILINE)
     assert len(commands) > 15, commands
     pages = {file.name for file in (share / "man/man1").iterdir()}
     assert pages == {"equipoise.1.gz"} | {f"equipoise-{command}.1.gz" for command in commands}, pages
