@@ -32,7 +32,7 @@ class NewStudies(unittest.TestCase):
                 self.assertEqual(file.read(), run("new", machine).stdout)
             lines = run("check", path, "--wide").stdout.splitlines()
             self.assertEqual([line.split(":")[0] for line in lines],
-                             ["Machine", "Unbalance", "Balls", "Assumed", "Matters most"], machine)
+                             ["Machine", "Unbalance", "Balls", "Assumed", "Most sensitive to"], machine)
             self.assertIn("up to", lines[2], machine)  # the balls can cancel what there is
             done = run("basin", path, "--starts", "16", *([] if machine == "fan" else ["--no-changes"]))
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -204,8 +204,8 @@ TEST(Carrying, IsToldAndWarnedOf) {
         holds(check.balls, warm ? "balls that hang below the shaft" : "; drag carries hanging balls round from 864"))
         << check.balls;
     EXPECT_TRUE(
-        holds(check.most, warm ? "the drag of the balls, here from a formula: 20 % more of it gives the balls the drag"
-                               : "the temperature of the oil: 10 K more of it leaves balls hanging"))
+        holds(check.most, warm ? "ball drag, here from a formula. With 20 % more, drag carries hanging balls round"
+                               : "oil temperature. With 10 K more, balls stay hanging"))
         << check.most;
   }
   // Upright nothing is said.

@@ -214,7 +214,7 @@ TEST(TiltGrade, NeedsTwoBearings) {
   EXPECT_TRUE(says(basin_text(with), "Balance quality e omega [ISO 21940-11]: G "));
   EXPECT_TRUE(says(basin_text(without),
                    "the residual unbalance is the static one alone, which has no balance quality "
-                   "grade: ISO 21940-11 judges a rotor that tilts in the planes of two bearings"));
+                   "grade: ISO 21940-11 judges a tilting rotor in the planes of two bearings"));
   EXPECT_FALSE(says(basin_text(without), "e omega"));
   EXPECT_FALSE(left_grade(without.transients->groups.front(), without.study));
   const auto page = [&](const std::string& rotor) {
@@ -233,7 +233,7 @@ TEST(TiltGrade, ExplainSaysWhyThereIsNone) {
     return explain_text(explained(plane, {rotor, "balancer.plane=0.05 m"}));
   };
   EXPECT_TRUE(
-      says(text(tilting_too + " }"), "none: ISO 21940-11 judges a rotor that tilts in the planes of two bearings"));
+      says(text(tilting_too + " }"), "none: ISO 21940-11 judges a tilting rotor in the planes of two bearings"));
   EXPECT_FALSE(says(text(tilting_too + ", bearings_at = ['0.3 m', '-0.2 m'] }"), "none: ISO 21940-11"));
 }
 

@@ -34,11 +34,11 @@ TEST(StudyCheck, SaysWhatItUnderstood) {
   EXPECT_EQ(c.unbalance,
             "2.4 kg mm, its centre of mass 200 um from the shaft; G 62.8 (within grade G 100) at 3000 rpm");
   EXPECT_EQ(c.balls,
-            "2 of 60 g each on a circle of 30 mm; they cancel from 0 to 3.6 kg mm, up to 1.5 times what there is");
+            "2 of 60 g each on a circle of 30 mm; they cancel from 0 to 3.6 kg mm, up to 1.5 times the unbalance");
   const std::string text = c.text();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
   EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0.4 mm"}).balls,
-                    "at most 0.75 times what there is: balance is impossible"));
+                    "at most 0.75 times the unbalance: balance is impossible"));
   EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0 mm"}).balls, "there is nothing to cancel"));
   EXPECT_TRUE(holds(check_of(constant_speed).machine, "2.4 omega_c"));
   // One ratio and one unbalance for one machine, as explain has them.
@@ -145,17 +145,17 @@ TEST(StudyCheck, SaysThatBalanceIsUnstableWhereItIs) {
   for (const auto& [drag, stable] : {std::pair{"0.0005", false}, {"0.0017", false}, {"0.0018", true}, {"0.05", true}}) {
     const StudyCheck check = check_of(constant_speed, {std::string("balancer.drag=") + drag});
     EXPECT_EQ(holds(check.balls, ", but balance is not stable at the final speed"), !stable) << drag << check.balls;
-    EXPECT_EQ(holds(check.most, "makes balance stable") || holds(check.most, "balance stays unstable"), !stable)
+    EXPECT_EQ(holds(check.most, "balance becomes stable") || holds(check.most, "balance stays unstable"), !stable)
         << drag << check.most;
   }
   // Of 20 % more drag the second becomes stable, the first does not.
-  EXPECT_TRUE(holds(check_of(constant_speed, {"balancer.drag=0.0017"}).most, "makes balance stable"));
+  EXPECT_TRUE(holds(check_of(constant_speed, {"balancer.drag=0.0017"}).most, "balance becomes stable"));
   EXPECT_TRUE(holds(check_of(constant_speed, {"balancer.drag=0.0005"}).most, "balance stays unstable"));
 }
 
 TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
   const std::string most = check_of(ramp_machine, {"rotor.eccentricity=0.27 mm"}).most;
-  EXPECT_TRUE(holds(most, "the unbalance: 20 % more of it makes balance impossible")) << most;
+  EXPECT_TRUE(holds(most, "unbalance. With 20 % more, balance becomes impossible")) << most;
   const std::string spare = check_of(ramp_machine, {"rotor.eccentricity=0.02 mm"}).most;
   EXPECT_FALSE(holds(spare, "impossible")) << spare;
   EXPECT_TRUE(holds(spare, "judged by what the balls can cancel, linear theory at the final speed")) << spare;

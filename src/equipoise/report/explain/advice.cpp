@@ -64,7 +64,7 @@ std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_n
 RuleOfThumb ball_mass(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
   RuleOfThumb rule{"ball_mass", "ball mass", "lambda <= mu sin(n delta/2)/sin(delta/2), of points n mu",
-                   "docs/explanation/rules-of-thumb.md, Ball mass; Existence in docs/explanation/equations.md"};
+                   "Rules of thumb, Ball mass; Equations, Existence"};
   const double lambda = e.unbalance;
   rule.kept = e.balanced.kind != model::BalancedStates::Kind::none;
   rule.words = *rule.kept ? "the balls can cancel the unbalance" : e.balanced.reason;
@@ -78,9 +78,8 @@ RuleOfThumb ball_mass(const Explanation& e) {
 
 RuleOfThumb critical_speeds(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
-  RuleOfThumb rule{
-      "critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
-      "docs/explanation/rules-of-thumb.md, Critical speeds; Clamped balls in docs/explanation/equations.md"};
+  RuleOfThumb rule{"critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
+                   "Rules of thumb, Critical speeds; Equations, Clamped balls"};
   const std::array<double, 2>& critical = e.critical_with_balls;
   const bool one = p.isotropic();
   for (int d = 0; d < (one ? 1 : 2); ++d) {
@@ -115,7 +114,7 @@ std::optional<double> spacing_in_balance(const Explanation& e) {
 RuleOfThumb room(const Explanation& e) {
   const std::vector<double>& width = e.ball_width;
   RuleOfThumb rule{"room", "room in the race", "sum of 2 asin(d_i/(2 R)) <= 2 pi",
-                   "docs/explanation/rules-of-thumb.md, Room in the race; Contact in docs/explanation/equations.md"};
+                   "Rules of thumb, Room in the race; Equations, Contact"};
   if (width.empty()) {
     rule.words = "the study does not give the balls' size";
     return rule;
@@ -147,7 +146,7 @@ void add_drag(RuleOfThumb& rule, const Explanation& e, const std::string& name, 
 RuleOfThumb drag(const Explanation& e) {
   RuleOfThumb rule{"drag", "ball drag",
                    "beta_s/2 <= beta <= 2 beta_s, beta_s = 2 sqrt(s k_b); beta >= N omega^3/(zeta (Omega - omega))",
-                   "docs/explanation/rules-of-thumb.md, Ball drag; Linearisation in docs/explanation/equations.md"};
+                   "Rules of thumb, Ball drag; Equations, Linearisation"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double own = rules::mean_drag(near->parameters);
@@ -158,8 +157,7 @@ RuleOfThumb drag(const Explanation& e) {
   }
   const double best = rules::settling_drag(near->parameters, near->stiffness);
   double from = rules::least_of_settling_drag * best, to = rules::most_of_settling_drag * best;
-  add_drag(rule, e, "from", from);
-  add_drag(rule, e, "to", to);
+  const double by_rule[]{from, to};
   bool unstable = false;
   if (own > 0.0) {
     // Drags a thousand times less and more than either: nobody has a choice of more.
@@ -175,6 +173,8 @@ RuleOfThumb drag(const Explanation& e) {
       unstable = true;
     }
   }
+  add_drag(rule, e, "from", by_rule[0]);
+  add_drag(rule, e, "to", by_rule[1]);
   rule.kept = own >= from && own <= to && !unstable;
   rule.words = unstable     ? "by linear theory no drag makes balance stable"
                : own < from ? "too little: balance settles at less than a quarter of its fastest rate, or is unstable"
@@ -195,12 +195,12 @@ RuleOfThumb drag(const Explanation& e) {
 RuleOfThumb carried(const Explanation& e) {
   RuleOfThumb rule{"carried", "balls carried round",
                    "beta Omega >= G; of n that touch: n beta Omega >= G sin(n delta/2)/sin(delta/2)",
-                   "docs/explanation/rules-of-thumb.md, Carried round"};
+                   "Rules of thumb, Carried round"};
   const model::Carrying& c = *e.carrying;
   rule.kept = !c.may_hang();
   rule.words = c.reached >= c.all ? "drag carries balls round against their weight, from rest also"
                : c.turning
-                   ? "drag is too little to carry balls round from rest, but they are let go so fast that none falls"
+                   ? "drag is too little to carry balls round from rest, but they are released so fast that none falls"
                    : "balls that hang below the shaft stay there: drag is too little against their weight";
   add(rule, "", "carries all from", c.all, Dimension::speed);
   add_drag(rule, e, "least at the final speed, of balls that do not touch", e.study.parameters.gravity / c.reached);
@@ -210,7 +210,7 @@ RuleOfThumb carried(const Explanation& e) {
 RuleOfThumb settling(const Explanation& e) {
   RuleOfThumb rule{"settling", "settling near balance",
                    "slower decay of s q'' + beta q' + k_b q = 0 and (1 + N) r'' + zeta r' + kappa r = 0",
-                   "docs/explanation/rules-of-thumb.md, Settling; Linearisation in docs/explanation/equations.md"};
+                   "Rules of thumb, Settling; Equations, Linearisation"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double time = rules::settling_time(near->parameters, std::max(near->stiffness, 0.0));
@@ -247,7 +247,7 @@ RuleOfThumb torque(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
   RuleOfThumb rule{"torque", "motor torque",
                    "tau(omega) >= (lambda + N)^2 omega^3/zeta, half of it where x and y differ",
-                   "docs/explanation/rules-of-thumb.md, Torque; [Som], [Kon]"};
+                   "Rules of thumb, Torque; [Som], [Kon]"};
   const double critical = highest(e.critical_with_balls), first = lowest(e.critical_with_balls);
   const auto need = [&](double unbalance) {
     return std::max(rules::shaking_torque(p, unbalance, first), rules::shaking_torque(p, unbalance, critical));
@@ -268,7 +268,8 @@ RuleOfThumb torque(const Explanation& e) {
   add(rule, "tau", "taken at resonance with all balls on the heavy side", together, Dimension::torque);
   add(rule, "tau", "taken at resonance by the rotor's own unbalance", alone, Dimension::torque);
   if (!e.study.speed.driven()) {
-    rule.words = "the study prescribes the speed; a motor would need as much, besides what speeds the rotor up";
+    rule.words =
+        "the study prescribes the speed; a motor would need this much, in addition to what speeds the rotor up";
     return rule;
   }
   const auto given = torque_at(e.study, critical);

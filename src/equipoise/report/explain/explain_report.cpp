@@ -41,7 +41,6 @@ class Text {
   std::string all() {
     const std::string held = release_text(e_.study);
     text_ = e_.study.name + "\n" + (held.empty() ? "" : held + "\n") + "\n";
-    table();
     const FactNumbers numbers{[this](double value, Dimension d) { return either(value, d); },
                               [this](double value, Dimension d) { return both(value, d); },
                               [this](double low, double high, Dimension d) { return range(low, high, d); }};
@@ -49,11 +48,12 @@ class Text {
       for (const std::string& line : fact.lines) item(&line == &fact.lines.front() ? fact.name : "", line);
       if (e_.motion && fact.name == "approach to balance") eigenvalues(*e_.motion);
     }
-    rules();
     if (e_.cost) cost(*e_.cost);
     text_ += "\n";
     for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
     if (e_.warnings.empty()) text_ += "no warnings\n";
+    rules();
+    table();
     return text_;
   }
 
@@ -90,7 +90,7 @@ class Text {
       quantities.rows.push_back(row_of(scales_ ? "ttnn" : "ttn", row));
     }
     if (scales_) quantities.spare = {3};
-    text_ += table_text(quantities, style_) + "\n";
+    text_ += "\n" + table_text(quantities, style_);
   }
 
   void cost(const BasinCost& c) {
@@ -138,10 +138,10 @@ class Text {
   void rules() {
     if (e_.advice.empty()) return;
     text_ +=
-        "\nRules of thumb: estimates by formulas; docs/explanation/rules-of-thumb.md derives them and says how often "
-        "each is right\n";
+        "\nRules of thumb: estimates by formulas; the documentation, \"Rules of thumb\", shows how often each is "
+        "right\n";
     for (const RuleOfThumb& rule : e_.advice) {
-      const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
+      const char* verdict = !rule.kept ? "" : *rule.kept ? "OK: " : "FAILS: ";
       item(rule.name, verdict + rule.words);
       std::vector<std::array<std::string, 2>> figures;
       std::size_t name = 0, number = 0;

@@ -195,7 +195,7 @@ class Facts {
     if (!e_.study.scales) return;
     const auto grade = own_balance_grade(e_.study, *e_.speed);
     add("balance quality", grade ? grade_text(*grade) + how
-                                 : "none: ISO 21940-11 judges a rotor that tilts in the planes of two "
+                                 : "none: ISO 21940-11 judges a tilting rotor in the planes of two "
                                    "bearings; state rotor.tilt.bearings or rotor.tilt.bearings_at");
   }
 

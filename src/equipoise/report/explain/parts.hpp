@@ -28,7 +28,7 @@ std::vector<RuleOfThumb> advice(const Explanation& e);
 /// To an explanation that has all else.
 void add_warnings(Explanation& e);
 
-/// Which of the estimated quantities matters most for balance, what a change of it does, and how that was judged. Once
+/// The estimated quantity to which balance is most sensitive, what a change of it does, and how that was judged. Once
 /// `stop` is set, that it was stopped.
 std::string what_matters_most(const Study& study, const StopFlag* stop);
 

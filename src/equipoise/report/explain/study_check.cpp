@@ -113,7 +113,7 @@ std::string planes_words(const Explanation& e) {
     const std::string at = quantity(e.study, plane.at, Dimension::length);
     const bool too_heavy = plane.least > plane.unbalance;
     const char* how = too_heavy ? "no less than" : plane.most < plane.unbalance ? at_most : up_to;
-    line += plane.unbalance > 0.0 ? fmt::format("; at {} they cancel {} {:.3g} times what there is", at, how,
+    line += plane.unbalance > 0.0 ? fmt::format("; at {} they cancel {} {:.3g} times the unbalance", at, how,
                                                 (too_heavy ? plane.least : plane.most) / plane.unbalance)
                                   : fmt::format("; at {} there is nothing to cancel", at);
   }
@@ -137,7 +137,7 @@ std::string balls_line(const Explanation& e) {
       fmt::format("from {} to {}", least_cancelled, quantity(s, e.largest_unbalance, Dimension::unbalance));
   if (e.unbalance == 0.0) return line + fmt::format("; they cancel {}, and there is nothing to cancel", range);
   const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
-  return line + fmt::format("; they cancel {}, {} {:.3g} times what there is{}", range, can ? up_to : at_most,
+  return line + fmt::format("; they cancel {}, {} {:.3g} times the unbalance{}", range, can ? up_to : at_most,
                             e.largest_unbalance / e.unbalance, can ? but_unstable(e) : ": balance is impossible");
 }
 
@@ -220,8 +220,8 @@ const char* const medians_assumed = "uncertain values at their medians";
 
 std::string StudyCheck::text() const {
   const std::string first = leave_out.empty() ? "" : fmt::format(leave_balancer_out, leave_out) + "\n";
-  return first + fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n", machine,
-                             unbalance, balls, fmt::join(assumed, "; "), most);
+  return first + fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMost sensitive to: {}.\n",
+                             machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
 StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,

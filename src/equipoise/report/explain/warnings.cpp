@@ -102,8 +102,10 @@ class Warnings {
     const std::vector<double>& widths = e_.ball_width;
     if (p_.balls_collide() || p_.balls < 2 || widths.empty()) return;
     const bool alike = std::all_of(widths.begin(), widths.end(), [&](double w) { return w == widths.front(); });
-    warn("balls pass through each other in this study, which real balls do not: shares and shaking may differ{}",
-         alike ? "" : "; contact needs balls of one balancer.ball_diameter");
+    warn(
+        "balls pass through each other in this study, which real balls do not: probabilities and vibration may "
+        "differ{}",
+        alike ? "" : "; contact needs balls of one balancer.ball_diameter");
   }
 
   void sag() {

@@ -31,20 +31,20 @@ struct Estimate {
   std::string_view name;
   void (*scale)(model::Parameters&, double);
 };
-constexpr std::string_view drag_name = "the drag of the balls";
+constexpr std::string_view drag_name = "ball drag";
 constexpr std::array<Estimate, 5> estimates{{
-    {"the unbalance",
+    {"unbalance",
      [](model::Parameters& p, double f) {
        p.eccentricity *= f;
        p.tilt.misalignment *= f;
      }},
-    {"the stiffness of the supports",
+    {"support stiffness",
      [](model::Parameters& p, double f) {
        for (double& kappa : p.stiffness) kappa *= f;
        for (auto& direction : p.tilt.stiffness)
          for (double& kappa : direction) kappa *= f;
      }},
-    {"the damping of the supports",
+    {"support damping",
      [](model::Parameters& p, double f) {
        for (double& zeta : p.damping) zeta *= f;
        for (auto& direction : p.tilt.damping)
@@ -54,7 +54,7 @@ constexpr std::array<Estimate, 5> estimates{{
      [](model::Parameters& p, double f) {
        for (double& beta : p.drag) beta *= f;
      }},
-    {"the mass of the balls",  // whose drag stays
+    {"ball mass",  // whose drag stays
      [](model::Parameters& p, double f) {
        for (int i = 0; i < p.balls; ++i) {
          p.mass[static_cast<std::size_t>(i)] *= f;
@@ -117,23 +117,22 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
     if (size > worst.size) worst = {size, std::move(words)};
   };
   if (before.can_balance != after.can_balance)
-    consider(2.0 * decides, after.can_balance ? "makes balance possible" : "makes balance impossible");
+    consider(2.0 * decides, after.can_balance ? "balance becomes possible" : "balance becomes impossible");
   if (before.hangs != after.hangs)
-    consider(1.5 * decides,
-             after.hangs ? "leaves balls hanging below the shaft" : "gives the balls the drag that carries them round");
+    consider(1.5 * decides, after.hangs ? "balls stay hanging below the shaft" : "drag carries hanging balls round");
   if (before.can_balance && after.can_balance && before.stable != after.stable)
-    consider(decides, after.stable ? "makes balance stable" : "makes balance unstable");
+    consider(decides, after.stable ? "balance becomes stable" : "balance becomes unstable");
   if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
     consider(least_decision, *after.passes < 1.0
-                                 ? "leaves the balls so little drag that they may stay at the critical speed"
-                                 : "gives the balls the drag that takes them past the critical speed");
+                                 ? "drag becomes so low that the balls may stay at the critical speed"
+                                 : "drag becomes high enough to take the balls past the critical speed");
   if (before.margin && after.margin)
     consider(std::abs(std::log(*after.margin / *before.margin)),
-             fmt::format("lets the balls cancel {:.3g} instead of {:.3g} times what there is", *after.margin,
+             fmt::format("the balls can cancel {:.3g} instead of {:.3g} times the unbalance", *after.margin,
                          *before.margin));
   if (before.settles && after.settles)
     consider(std::abs(std::log(*after.settles / *before.settles)),
-             fmt::format("lets a deviation from balance fade with a time constant of {} instead of {}",
+             fmt::format("small disturbances decay with a time constant of {} instead of {}",
                          time_of(study, 1.0 / *after.settles), time_of(study, 1.0 / *before.settles)));
   return worst;
 }
@@ -171,20 +170,15 @@ std::vector<Change> changes_of(const Study& study) {
   for (const double sign : {-1.0, 1.0})
     if (const auto factor = drag_factor(study, sign * kelvin))
       add(*std::find_if(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.name == drag_name; }),
-          *factor, {"the temperature of the oil", "10 K", sign > 0.0, false, study});
+          *factor, {"oil temperature", "10 K", sign > 0.0, false, study});
   return changes;
 }
 
 std::string how_judged(const Study& study) {
-  const bool tilts = study.parameters.tilts(), weight = study.parameters.gravity > 0.0;
   return fmt::format(
-      " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %{}; judged by what the balls "
-      "can cancel{}, not by trajectories)",
-      study.ball_details.oil_kelvin ? ", and of 10 K in the oil if they make or break balance" : "",
-      tilts    ? weight ? " in each plane, linear theory at the final speed and the drag against the balls' weight"
-                        : " in each plane and linear theory at the final speed"
-      : weight ? ", linear theory at the final speed, the drag against capture and that against the balls' weight"
-               : ", linear theory at the final speed and the drag against capture");
+      ". Unbalance, stiffness, damping, drag and ball mass were each varied by 20 %{}, by formulas and linear theory "
+      "only",
+      study.ball_details.oil_kelvin ? ", and the oil by 10 K" : "");
 }
 
 }  // namespace
@@ -199,16 +193,16 @@ std::string what_matters_most(const Study& study, const StopFlag* stop) {
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);
     const bool stokes = study.ball_details.oil_viscosity && change.of == drag_name;
-    which = fmt::format("{}{}: {} {} of it {}", change.of, stokes ? ", here from a formula" : "", change.amount,
+    which = fmt::format("{}{}. With {} {}, {}", change.of, stokes ? ", here from a formula" : "", change.amount,
                         change.more ? "more" : "less", worst.words);
   }
   if (is_set(stop)) return "not known: it was stopped";
   if (before.unstable && worst.size < decides)
-    return "none of these: with each of them changed alone by 20 % balance stays unstable";
+    return "none of these: with each of them varied by 20 %, balance stays unstable";
   if (which.empty())
     return before.can_balance || !study.parameters.tilts()
                ? "none of these, by these rules"
-               : "none of these: with each of them changed alone by 20 % balance stays impossible";
+               : "none of these: with each of them varied by 20 %, balance stays impossible";
   return which + how_judged(study);
 }
 

@@ -53,8 +53,7 @@ std::string figures_words(const RuleOfThumb& rule, const Study& study) {
 DocumentTable advice_table(const Explanation& e) {
   DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
                       {},
-                      "Rules of thumb: docs/explanation/rules-of-thumb.md derives these formulas and says how often "
-                      "each is right.",
+                      "Estimates by formulas; the documentation, \"Rules of thumb\", shows how often each is right.",
                       true,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
@@ -136,7 +135,7 @@ void add_machine(Document& document, const GivenMachine& machine) {
   if (!machine.assumed.empty()) {
     document.add(Heading{2, "What was assumed", ""});
     document.add(ItemList{machine.assumed});
-    if (!machine.matters_most.empty()) document.add(Paragraph{"What matters most: " + machine.matters_most + "."});
+    if (!machine.matters_most.empty()) document.add(Paragraph{"Most sensitive to: " + machine.matters_most + "."});
   }
   document.add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", "in the study"}};
