@@ -109,7 +109,7 @@ def test_a_page(program, tmp_path):
     strip = re.compile(r"\d+(\.\d+)? (s|ms)\b|on \d+ threads?|\d+ starts/s")
     own, theirs = ((tmp_path / name).read_text() for name in ("own.html", "theirs.html"))
     assert strip.sub("", own) == strip.sub("", theirs)
-    assert page.html == own and page.verdict["decision"] == "change" and "Change it" in repr(page)
+    assert page.html == own and page.verdict["decision"] == "change" and "Change the design" in repr(page)
     assert pickle.loads(pickle.dumps(page)).html == own
 
 

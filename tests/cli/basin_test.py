@@ -54,14 +54,19 @@ class Basin(Case):
         self.assertNotEqual(one["outcomes"], two["outcomes"])
 
     def test_table_names_every_outcome_and_the_interval(self):
-        text = run("basin", ROW, "--starts", "1000", "--quiet").stdout
+        text = run("basin", ROW, "--starts", "1000", "--quiet", "--details").stdout
         for word in ("balanced", "co-drifting (V1)", "drifting apart (V2)", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
             self.assertIn(word, text)
+        short = run("basin", ROW, "--starts", "1000", "--quiet").stdout
+        self.assertLessEqual(len(short.splitlines()), 25, short)
+        for word in ("answer ", "balanced", "co-drifting (V1)", "95 % interval", "1000 runs, seed 1", "--details"):
+            self.assertIn(word, short)
 
     def test_says_that_stated_angles_are_drawn_all_the_same(self):
         stated = [*EASY[1:], "--starts", "200", "--quiet", "--set", "initial.phi=[0, 0]"]
         words = "drawn with each start, not taken from the study: initial.phi"
-        self.assertIn(words, run("basin", ROW, *stated).stdout)
+        self.assertIn(words, run("basin", ROW, *stated, "--details").stdout)
+        self.assertIn("not from initial.phi of the study", run("basin", ROW, *stated, "--wide").stdout)
         self.assertIn(words, run("compare", ROW, ROW, *stated).stdout)
         self.assertNotIn(words, run("basin", ROW, *stated[:-2]).stdout)
         drawn, plain = (json.loads(run("basin", ROW, "--json", *options).stdout) for options in (stated, stated[:-2]))
@@ -74,7 +79,7 @@ class Basin(Case):
     def test_the_head_says_until_when_balls_are_held(self):
         ramp = [*EASY[1:], "--set", "speed={profile='ramp', final=2.4, duration=8.0}", "--quiet"]
         words = "\nballs held until t = 8, the end of the ramp\n"
-        for command, options in (("basin", ["--starts", "50"]), ("compare", [ROW, "--starts", "50"]),
+        for command, options in (("basin", ["--starts", "50", "--details"]), ("compare", [ROW, "--starts", "50"]),
                                  ("map", ["--size", "2x2"]), ("explain", []),
                                  ("sweep", ["--over", "balancer.drag=0.25,0.3", "--starts", "20"])):
             quiet = [option for option in ramp if command != "explain" or option != "--quiet"]
@@ -84,7 +89,7 @@ class Basin(Case):
 
     def test_published_law_is_named_wherever_it_was_used(self):
         study = os.path.join(STUDIES, "paper", "table-5-t0-300.toml")
-        self.assertIn("PUBLISHED speed law", run("basin", study, *EASY[1:], "--starts", "20", "--quiet").stdout)
+        self.assertIn("PUBLISHED speed law", " ".join(run("basin", study, *EASY[1:], "--starts", "20", "--quiet").stdout.split()))
         self.assertEqual(answer("basin", study, *EASY[1:], "--starts", "20")["law"], "published")
         self.assertIn("published speed law", run("simulate", study, "--at", "0,1").stderr)
 
@@ -186,7 +191,7 @@ class Basin(Case):
 
     @slow
     def test_half_width_chooses_the_cheaper_way_and_says_so(self):
-        text = run("basin", ROW, "--half-width", "0.004", "--quiet", "--wide").stdout
+        text = run("basin", ROW, "--half-width", "0.004", "--quiet", "--wide", "--details").stdout
         self.assertRegex(text, r"Sampling: scrambled Sobol, 16 x \d[\d ]* starts; random starts would have needed about 57 \d00\.")
         found = answer("basin", ROW, "--half-width", "0.004")
         self.assertEqual(found["study"]["sampling"]["method"], "sobol")
@@ -206,9 +211,9 @@ class Basin(Case):
             self.assertGreater(balanced["effective_random_starts"], 8192)
             # Known to 0.005 points; five standard errors, themselves known to 18 %.
             self.assertAlmostEqual(balanced["share"], 0.60495, delta=5 * balanced["standard_error"])
-            text = run("basin", ROW, *way).stdout
+            text = run("basin", ROW, *way, "--details").stdout
             self.assertIn("as good as", text)
-            self.assertIn("16 x 512 starts" if method == "sobol" else "90^2 cells, two starts a cell", text)
+            self.assertIn("16 x 512 starts" if method == "sobol" else "90^2 cells, two starts per cell", text)
 
     def test_replayed_start_prints_angles_outcome_and_time(self):
         lines = run("basin", *EASY, "--start-index", "5").stdout.splitlines()

@@ -89,11 +89,11 @@ class Report(unittest.TestCase):
         balanced = found["outcomes"][0]
         low, high = 100 * balanced["low"], 100 * balanced["high"]
         self.assertEqual(self.page.lead,
-                         f"The rotor ends balanced in {low:.1f} to {high:.1f} % of starts (95 % confidence).")
+                         f"The rotor ends balanced in {low:.1f} to {high:.1f} % of runs (95 % confidence).")
         verdict, sentence = self.done.stdout.split("\n\n")
         self.assertEqual(sentence, self.page.lead + "\n")
-        self.assertEqual([line[:9] for line in verdict.splitlines() if line[0] != " "],
-                         ["verdict  ", "because  ", "change   "])
+        self.assertEqual([line[:10] for line in verdict.splitlines() if line[0] != " "],
+                         ["verdict   ", "why       ", "try next  "])
         self.assertIn(f"<p>{found['verdict']['words']}</p>", self.page.text.split("<h2")[0])
         self.assertIn(found["verdict"]["because"], self.page.text.split("<h2")[0])
         for outcome in found["outcomes"]:
@@ -232,7 +232,7 @@ class OtherPages(Case):
     @slow
     def test_drawn_values_are_said_in_the_first_sentence(self):
         drawn = [*EASY[1:], "--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
-        both = "With rotor damping and eccentricity drawn anew for every start, "
+        both = "With rotor damping and eccentricity sampled for each run, "
         for command in (["basin", ROW, "--starts", "20"],
                         ["sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "20"]):
             with self.subTest(command=command):
@@ -241,7 +241,7 @@ class OtherPages(Case):
                 self.assertIn("uniform 0.005, 0.015", page.text)
         # A varied value is not drawn.
         page, _ = self.page_of("sweep", ROW, "--over", "rotor.damping=0.5,0.6", "--starts", "20", *drawn)
-        self.assertTrue(page.lead.startswith("With eccentricity drawn anew for every start, "), page.lead)
+        self.assertTrue(page.lead.startswith("With eccentricity sampled for each run, "), page.lead)
         page, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20")
         self.assertNotIn("drawn", page.text)
 

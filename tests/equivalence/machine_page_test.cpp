@@ -181,7 +181,7 @@ TEST(MachinePage, BeginsWithTheVerdictInItsTone) {
   const std::vector<TriedChange> tried{
       {"twice the drag", page.basin.study, 200, Decision::fit, wilson_share(200, 200), {}, {}}};
   const std::string changed = machine_html(page, tried);
-  EXPECT_LT(changed.find("<h2>What to change</h2>"), changed.find("<h2>How it shakes</h2>"));
+  EXPECT_LT(changed.find("<h2>What to change</h2>"), changed.find("<h2>How it vibrates</h2>"));
   EXPECT_TRUE(holds(changed, "<td class=\"label good\">twice the drag</td>"));
   EXPECT_TRUE(holds(changed, ">as it is<"));
   // There is none for too few starts.
@@ -195,7 +195,7 @@ TEST(MachinePage, SaysWhatTheStudyLeavesOpen) {
       with(ramp_machine, "\"0.2 mm\"", "{ uniform = [\"0.1 mm\", \"0.2 mm\"] }") + "[sampling]\nstarts = 8\n";
   const Study study = parse_study(text, "machine.toml");
   const std::string html = machine_html(machine_page(study, given_machine(text, "machine.toml", {})));
-  for (const char* words : {"<h2>What was assumed</h2>", "<li>balls free from t = 0</li>", "What matters most: "})
+  for (const char* words : {"<h2>What was assumed</h2>", "<li>balls free from t = 0</li>", "Most sensitive to: "})
     EXPECT_TRUE(holds(html, words)) << words;
   EXPECT_FALSE(holds(html, "at their medians"));  // its starts draw them
   // Without the study's text nobody knows.

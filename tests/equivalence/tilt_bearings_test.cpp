@@ -116,7 +116,7 @@ TEST(TiltBearings, TakeACouple) {
   // The limit is one of a bearing, in which the couple shows.
   EXPECT_EQ(each.without_balls->bare.figures.exceeded_at_end[1]->count, 1u);
   const auto text = [](const BasinResult& r) {
-    std::string t = basin_text(r, {});
+    std::string t = basin_text(r);
     std::replace(t.begin(), t.end(), '\n', ' ');
     return t;
   };

@@ -304,10 +304,10 @@ TEST(Basin, SaysWhichLimitsTheBareRotorKeeps) {
         basin(parse_study(rotor_and_balancer + short_ramp + "[sampling]\nstarts = 20\n[limits]\n" + limits, "s")));
   };
   EXPECT_TRUE(holds(text_of("displacement = 0.01\n"),
-                    "Without balls the rotor ends over a limit, and is over one on the way."));
-  EXPECT_TRUE(holds(text_of("displacement = 0.02\n"), "ends within all limits, and is over one on the way."));
-  EXPECT_TRUE(holds(text_of("displacement = 0.03\n"), "ends within all limits, and is never over one on the way."));
-  EXPECT_TRUE(holds(text_of("velocity = 0.03\n"), "Without balls the rotor ends over a limit."));
+                    "Without balls the rotor exceeds a limit during start-up and at full speed."));
+  EXPECT_TRUE(holds(text_of("displacement = 0.02\n"), "exceeds a limit during start-up, but not at full speed."));
+  EXPECT_TRUE(holds(text_of("displacement = 0.03\n"), "Without balls the rotor meets every limit."));
+  EXPECT_TRUE(holds(text_of("velocity = 0.03\n"), "Without balls the rotor exceeds a limit at full speed."));
 }
 
 TEST(Basin, AResumedFileHoldsTheSameWithoutBalls) {

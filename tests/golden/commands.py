@@ -23,6 +23,7 @@ def commands(name, study, values, folder):
     yield "basin-json", ["basin", *given, *starts, *runs, "--transients", "--no-changes", "--json"], []
     yield "start", ["basin", *given, "--start-index", "3", *runs], []
     yield "inspect", ["inspect", file("basin.nc")], []
+    yield "basin-details", ["basin", *given, *starts, *runs, "--transients", "--no-changes", "-o", file("basin.nc"), "--details"], []
     yield "simulate", ["simulate", *given, "--every", "2", "--until", "40", "-o", file("run.csv")], ["run.csv"]
     yield "simulate-nc", ["simulate", *given, "--every", "2", "--until", "40", "-o", file("run.nc")], ["run.nc"]
     yield "attractors", ["attractors", *given, *starts, *runs], []

@@ -29,7 +29,7 @@ NUMBER = r"[0-9][-+.0-9e]*"
 TIMES = re.compile("|".join((
     rf'"(?:cpu_)?seconds": ?{NUMBER}', rf'"\w+_per_second": ?{NUMBER}', rf'"\w*_seconds": ?{NUMBER}',
     rf"{NUMBER} s, {NUMBER} s CPU", rf"{NUMBER} s \({NUMBER} s CPU\)", rf", {NUMBER} (?:starts|trajectories|pixels)/s",
-    rf"{NUMBER} s(?= on \d+ thread)", rf"(?<=found in ){NUMBER} s", rf"(?<=re-check in ){NUMBER} s",
+    rf"{NUMBER} s(?= on \d+ thread)", rf"{NUMBER} s(?= CPU time)", rf"(?<=found in ){NUMBER} s", rf"(?<=re-check in ){NUMBER} s",
     rf"(?m:^ *(?:cpu_)?seconds +{NUMBER}$)")))
 RUN_ATTRIBUTES = {"seconds", "cpu_seconds"}
 

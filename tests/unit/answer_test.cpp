@@ -33,7 +33,7 @@ BasinResult result_of(const std::string& text, std::uint64_t starts, std::uint64
 // Wilson's intervals of 1960 in 2000 are 97.29 to 98.53 %, of 40 in 2000 1.47 to 2.71 % (Wilson 1927, by hand).
 TEST(Answer, SaysHowSurelyItBalancesAndWhatIsExceeded) {
   BasinResult r = result_of(machine, 2000, 1960);
-  EXPECT_EQ(answer_sentence(r), "The rotor ends balanced in 97.29 to 98.53 % of starts (95 % confidence).");
+  EXPECT_EQ(answer_sentence(r), "The rotor ends balanced in 97.29 to 98.53 % of runs (95 % confidence).");
   r.transients.emplace();
   TransientGroup all;
   all.name = "all";
@@ -42,7 +42,7 @@ TEST(Answer, SaysHowSurelyItBalancesAndWhatIsExceeded) {
   all.exceeded[2] = wilson_share(0, 2000);
   r.transients->groups.push_back(all);
   EXPECT_EQ(answer_sentence(r),
-            "The rotor ends balanced in 97.29 to 98.53 % of starts (95 % confidence); 5 mm is exceeded on the way in "
+            "The rotor ends balanced in 97.29 to 98.53 % of runs (95 % confidence); 5 mm is exceeded on the way in "
             "1.47 to 2.71 %; 4.5 mm/s RMS in the end is exceeded in less than 0.19 %.");
 }
 
@@ -51,7 +51,7 @@ TEST(Answer, SaysWhatIsNotKnown) {
   EXPECT_TRUE(holds(open, "bounds 67.1 to 82.4 %")) << open;  // Wilson of 700 and of 800 in 1000
   EXPECT_TRUE(holds(open, "; 10.0 % stay undecided.")) << open;
   EXPECT_EQ(answer_sentence(result_of(constant_speed, 0, 0)),
-            "Nothing is known: stopped before any start was decided.");
+            "Nothing is known yet: stopped before the first run was decided.");
   BasinResult lost = result_of(constant_speed, 1000, 999);
   lost.failed = wilson_share(1, 1000);
   EXPECT_TRUE(holds(answer_sentence(lost), "; 1 start could not be followed to an end."));
@@ -60,9 +60,10 @@ TEST(Answer, SaysWhatIsNotKnown) {
 TEST(Answer, SaysThatNothingBalancesAndWhatStalls) {
   BasinResult none = result_of(constant_speed, 100, 0);
   none.stalled = wilson_share(100, 100);
-  EXPECT_EQ(answer_sentence(none),
-            "Not one of 100 starts ends balanced: less than 3.7 % would (95 % confidence); more than 96.3 % never come "
-            "up to speed.");
+  EXPECT_EQ(
+      answer_sentence(none),
+      "None of 100 runs balanced; the probability is less than 3.7 % (95 % confidence); more than 96.3 % never come "
+      "up to speed.");
   BasinResult stuck = result_of(constant_speed, 100, 100);
   stuck.attractors.front().name = "balanced, stuck";
   EXPECT_TRUE(holds(answer_sentence(stuck), "ends \"balanced, stuck\" in more than 96.3 %"));

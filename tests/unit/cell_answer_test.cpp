@@ -96,10 +96,10 @@ TEST(SweepAnswer, ComparesCellsByTheLimitsThatStartsKeep) {
 TEST(SweepAnswer, BeginsWithWhatIsDrawnUnlessItIsVaried) {
   SweepResult r = sweep_of(drawn_rotor, {cell_of(60)});
   EXPECT_TRUE(answer_sentence(r).starts_with(
-      "With ball drag and eccentricity drawn anew for every start, at final speed 2 ω_c the rotor"))
+      "With ball drag and eccentricity sampled for each run, at final speed 2 ω_c the rotor"))
       << answer_sentence(r);
   r.axes.front().parameters.front().key = "balancer.drag";
-  EXPECT_TRUE(answer_sentence(r).starts_with("With eccentricity drawn anew for every start, at ball drag 2"));
+  EXPECT_TRUE(answer_sentence(r).starts_with("With eccentricity sampled for each run, at ball drag 2"));
 }
 
 TEST(KeyWords, ArePlain) {

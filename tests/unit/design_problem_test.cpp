@@ -252,7 +252,7 @@ TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
   DesignResult r = chosen_of(problem, {{"balancer.ball_diameter", "12 mm"}, {"balancer.oil.grade", "ISO VG 46"}});
   EXPECT_EQ(things_chosen(r.study, r.front[0].settings), "3 balls of 12 mm, ISO VG 46");
   EXPECT_EQ(things_chosen(r.study, {{"balancer.balls", 4}, {"release.speed", "840 rpm"}}),
-            "4 balls of 10 mm, balls let go at 840 rpm");
+            "4 balls of 10 mm, balls released at 840 rpm");
   r.before = DesignSample{100, {{0.5, 0.4, 0.6}}, {}, ""};
   EXPECT_EQ(design_verdict(r).words, "3 balls of 12 mm, ISO VG 46.");
   EXPECT_NE(design_verdict(r).because.find("as it is 50.0 % (40.0 to 60.0 %)"), std::string::npos)

@@ -59,7 +59,7 @@ TEST(NoBalls, TheCheckSpeaksOfNone) {
   for (const std::string& text : {bare, bare_machine}) {
     const std::string said = check_study(text, "s").text();
     EXPECT_TRUE(holds(said, "\nBalls: none: nothing cancels the unbalance.\n")) << said;
-    EXPECT_TRUE(holds(said, "\nMatters most: not judged: there are no balls.\n")) << said;
+    EXPECT_TRUE(holds(said, "\nMost sensitive to: not judged: there are no balls.\n")) << said;
     EXPECT_FALSE(holds(said, "its balls")) << said;
   }
   EXPECT_TRUE(holds(check_study(bare, "s", {"balancer.balls=2", "balancer.mass=0.1", "balancer.drag=0.1"}).text(),
@@ -156,7 +156,7 @@ TEST(NoBalls, APageTellsOfTheRotor) {
   EXPECT_TRUE(holds(page, "The rotor alone"));
   EXPECT_TRUE(holds(page, "nothing is random, so one run is enough"));
   for (const char* words : {"Where starts end", "balls can cancel", "rule of thumb"}) EXPECT_FALSE(holds(page, words));
-  EXPECT_TRUE(holds(page, "How it shakes on its way up"));
+  EXPECT_TRUE(holds(page, "How it vibrates during start-up"));
   EXPECT_TRUE(holds(page, "<li>viscous damping</li>"));
   EXPECT_FALSE(holds(page, "<li>balls"));
   EXPECT_FALSE(holds(page, "class=\"notice"));

@@ -48,7 +48,7 @@ check("too few starts decide nothing: the page says so, and more decide", async 
   await judgedOn(page, 20);
   const { words, because } = await linesOf(page);
   assert.match(words, /^Not decided yet/);
-  assert.match(because, /\(above [\d.]+ %\) of starts/);
+  assert.match(because, /\(above [\d.]+ %\) of runs/);
   await page.click("#judgement button");
   await page.waitForFunction(() => /^Fit it/.test(document.querySelector("#judgement .call").textContent));
 });
@@ -95,7 +95,7 @@ check("changes are tried when asked for, and the best is told", async () => {
   const page = await ask("fan", 60, "limits.displacement=0.25 mm", "limits.velocity=1 mm/s");
   await judgedOn(page, 60);
   const before = await linesOf(page);
-  assert.match(before.words, /^Change it: too few starts keep every limit/);
+  assert.match(before.words, /^Change the design: /);
   await page.getByRole("button", { name: "Try changes" }).click();
   await page.waitForFunction(() => /Trying twice the drag, 1 of \d/.test(document.querySelector("#judgement").textContent));
   await page.waitForFunction(() => {
@@ -110,13 +110,13 @@ check("changes are tried when asked for, and the best is told", async () => {
 check("a limit that is stated in the form counts at once; so does what a place holds", async () => {
   const page = await ask("grinder-230", 64);
   await judgedOn(page, 64);
-  assert.match((await linesOf(page)).words, /^Fit it only if more vibration on the way is acceptable/);
+  assert.match((await linesOf(page)).words, /^Fit it if you can accept more vibration/);
   const limits = page.locator("fieldset:has(legend:text-is('Limits'))");
   await limits.locator(".adder select").selectOption("limits.velocity");
   assert.match(await limits.locator(".adder p").textContent(), /^root mean square of both directions together, of the centre of the race$/);
   await limits.locator(".adder input").fill("0.001 mm/s");
   await page.keyboard.press("Enter");
-  await page.waitForFunction(() => /keep every limit/.test(document.querySelector("#judgement dd")?.textContent ?? ""));
+  await page.waitForFunction(() => /stay within every limit/.test(document.querySelector("#judgement dd")?.textContent ?? ""));
   assert.equal(await page.inputValue('[data-key="limits.velocity"] .entry input'), "0.001");
   await ask("centrifuge-12", 10);
   const place = page.locator("#form details:has(> summary:text('Place 1: tube 1'))");

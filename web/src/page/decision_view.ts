@@ -27,7 +27,7 @@ export class DecisionView {
     const line = (label: string, ...words: (Node | string)[]) => [h("dt", {}, label), h("dd", {}, ...words)];
     this.place.replaceChildren(
       h("p", { class: `call ${verdict.tone}` }, verdict.words),
-      h("dl", {}, ...line("because", verdict.because), ...line("change", ...this.change(run, judgement, verdict))),
+      h("dl", {}, ...line("why", verdict.because), ...line("try next", ...this.change(run, judgement, verdict))),
       h("p", { class: "quiet number" }, this.basis(judgement)),
       ...(judgement.changes ? [tableOf(judgement.changes)] : []),
     );

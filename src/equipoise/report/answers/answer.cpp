@@ -27,10 +27,10 @@ std::string balance_words(const BasinResult& r) {
   const OutcomeShare& balanced = r.attractors.front();
   const Share& s = balanced.share;
   if (s.count == 0)
-    return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
+    return fmt::format("None of {} runs balanced; the probability is {} (95 % confidence{})", r.starts, share_words(s),
                        surely(s));
   const bool plain = balanced.name == "balanced";  // otherwise held by friction
-  return fmt::format("The rotor ends {} in {} of starts (95 % confidence{})",
+  return fmt::format("The rotor ends {} in {} of runs (95 % confidence{})",
                      plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s), surely(s));
 }
 
@@ -89,13 +89,13 @@ std::string after_what_is_drawn(std::vector<std::string> keys, std::string sente
   const std::string last = keys.back();
   keys.pop_back();
   sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
-  return fmt::format("With {}{}{} drawn anew for every start, {}", fmt::join(keys, ", "), keys.empty() ? "" : " and ",
-                     last, sentence);
+  return fmt::format("With {}{}{} sampled for each run, {}", fmt::join(keys, ", "), keys.empty() ? "" : " and ", last,
+                     sentence);
 }
 
 std::string answer_sentence(const BasinResult& r) {
   if (r.study.parameters.balls == 0 && r.without_balls) return bare_answer(r);
-  if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
+  if (r.starts == 0 || r.attractors.empty()) return "Nothing is known yet: stopped before the first run was decided.";
   std::string text = balance_words(r);
   if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
   text += limit_words(r);

@@ -16,9 +16,9 @@ namespace equipoise {
 /// "97.1 to 98.9 %", "less than 1.9 %", "more than 98.1 %": 95 % interval of a share.
 std::string share_words(const Share& share);
 
-/// "The rotor ends balanced in 97.1 to 98.9 % of starts (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
+/// "The rotor ends balanced in 97.1 to 98.9 % of runs (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
 /// %." Mentions undecided starts, and bounds that hold whatever they come to; omits limits that the study does not
-/// have. With uncertain values it begins: "With unbalance drawn again for every start, the rotor ends ...".
+/// have. With uncertain values it begins: "With unbalance sampled for each run, the rotor ends ...".
 std::string answer_sentence(const BasinResult& result);
 
 /// Where the rotor balances most and least often, how often at worst a limit is exceeded, how much stays undecided.
@@ -35,7 +35,7 @@ std::string answer_sentence(const BasinSlice& map);
 /// Keys of the study's uncertain values, except those that are `set` otherwise.
 std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set = {});
 
-/// "With unbalance and rotor damping drawn again for every start, the rotor ends ..."; just the sentence without keys.
+/// "With unbalance and rotor damping sampled for each run, the rotor ends ..."; just the sentence without keys.
 std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence);
 
 /// A limit that a study has.

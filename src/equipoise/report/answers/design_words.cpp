@@ -38,8 +38,8 @@ constexpr std::array<Thing, 12> known_things{{{"balancer.balls", "number of ball
                                               {"balancer.race_radius", "race radius", "race radius "},
                                               {"rotor.damping_ratio", "damping ratio", "damping ratio "},
                                               {"rotor.stiffness", "stiffness", "stiffness "},
-                                              {"release.speed", "speed of release", "balls let go at "},
-                                              {"release.time", "time of release", "balls let go after "},
+                                              {"release.speed", "speed of release", "balls released at "},
+                                              {"release.time", "time of release", "balls released after "},
                                               {"speed", "run-up", "run-up "}}};
 
 // Shares and times of the starts; quantiles are named by transient_figures.

@@ -52,7 +52,7 @@ std::string choice_text(const BasinResult& r) {
 std::string grid_text(const BasinResult& r) {
   const JitteredGrid& g = *r.grid;
   std::string text =
-      fmt::format("Sampling: jittered grid, {}{} cells, two starts a cell", grouped(static_cast<double>(g.side())),
+      fmt::format("Sampling: jittered grid, {}{} cells, two starts per cell", grouped(static_cast<double>(g.side())),
                   r.study.parameters.balls == 1 ? "" : fmt::format("^{}", r.study.parameters.balls));
   text += ".\n";
   if (g.exchange() && r.study.parameters.balls > 1)

@@ -115,7 +115,7 @@ std::string bare_zone(const BasinResult& r) {
 Block severity(const BasinResult& r, const Judged& j) {
   if (!j.all.beyond[0])
     return Paragraph{
-        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
+        fmt::format("Severity: at {:.3g} turns per second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
                     turns_a_second(r, j.all), standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
   std::string caption = fmt::format(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -21,8 +22,7 @@ namespace equipoise {
 
 namespace {
 
-constexpr char fit_if_it_may_shake[] = "Fit it only if more vibration on the way is acceptable: {}.";
-constexpr char do_not_fit_because[] = "Do not fit it: {}.";
+constexpr char do_not_fit_because[] = "Don't fit it: {}.";
 constexpr char leave_it_out[] = "Leave the balancer out.";
 
 // The share of starts that have to keep all limits if [limits] states none.
@@ -105,10 +105,10 @@ class Judge {
       by_comparison();
     if (const std::string below = below_resonance_words(r_.study); !below.empty()) leave_out(below);
     verdict_.change = verdict_.leave_out                    ? leave_it_out
-                      : verdict_.decision == Decision::fit  ? "Nothing has to change."
+                      : verdict_.decision == Decision::fit  ? "No change is needed."
                       : verdict_.decision == Decision::open ? more_starts()
                       : !tried.empty()                      ? best_words(tried)
-                                                            : "\"equipoise design\" searches for a better balancer.";
+                                       : "Run \"equipoise design\" to search for a better balancer.";
     return std::move(verdict_);
   }
 
@@ -138,45 +138,82 @@ class Judge {
     const auto& bare = none_.kept();
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
     verdict_.leave_out = bare_keeps;
-    verdict_.because = fmt::format("{} of starts keep every limit", share_words(kept));
-    if (with_.within[0] && with_.within[1] && kept.share < needed)
-      verdict_.because += fmt::format(", {} on the way and {} at the end", percent_text(with_.within[1]->share),
-                                      percent_text(with_.within[0]->share));
-    verdict_.because += bare_words(bare) + ".";
+    verdict_.because = fmt::format("{} of runs stay within every limit{}.", share_words(kept), by_phase(kept, needed));
+    if (const std::string without = bare_limit_words(bare_, r_.study); !without.empty())
+      verdict_.because += " " + without + ".";
     const std::string asked = percent_text(needed);
     if (bare_keeps) {
-      if (kept.least >= needed)
-        say(Decision::not_needed, "Not needed: the rotor keeps every limit even without a balancer.");
-      else if (kept.most < needed)
-        say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
+      const std::string meets = bare_.one ? "the rotor meets every limit without"
+                                          : fmt::format("at least {} of runs meet every limit without", asked);
+      if (kept.most < needed)
+        say(Decision::do_not_fit, fmt::format("Don't fit it: {} balls; with them too few runs do.", meets));
       else
-        say(Decision::not_needed, "Not needed: without balls the rotor keeps every limit.");
+        say(Decision::not_needed, fmt::format("You don't need a balancer: {} one.", meets));
     } else if (kept.least >= needed) {
-      if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
-        say(Decision::caution, fmt::format(fit_if_it_may_shake, more));
+      const std::string more = larger_peaks();
+      if (!more.empty() && !bounds_the_way())
+        say(Decision::caution, fit_if_it_may_vibrate(more));
       else
-        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked) +
-                               (more.empty() ? "" : fmt::format(" On the way {}.", more)));
+        say(Decision::fit, fmt::format("Fit it: at least {} of runs stay within every limit{}.", asked,
+                                       more.empty() ? "" : ", though " + more));
     } else if (kept.most < needed) {
       if (worse_at_end())
-        say(Decision::do_not_fit, fmt::format("Do not fit it as it is: too few starts keep the limits ({} are asked), "
-                                              "and half of them end shaking more than without balls.",
-                                              asked));
+        say(Decision::do_not_fit,
+            fmt::format("Don't fit it as it is: too few runs stay within every limit ({} required), and half of them "
+                        "end up vibrating more than without balls.",
+                        asked));
       else
-        say(Decision::change, fmt::format("Change it: too few starts keep every limit; {} are asked.", asked));
+        say(Decision::change, "Change the design: " + what_fails(kept, needed));
     } else {
-      say(Decision::open, fmt::format("Not decided yet: whether {} of starts keep every limit.", asked));
+      const bool open = kept.least < kept.low || kept.most > kept.high;
+      say(Decision::open,
+          fmt::format("Too close to call: {} of runs stay within every limit{}; {} required.", share_words(kept),
+                      open ? ", bounds " + bounds_text(kept) + " however undecided runs end" : "", asked));
     }
+  }
+
+  // ": 9.2 % during start-up, 40 % at full speed", if runs exceed limits in both.
+  std::string by_phase(const Share& kept, double needed) const {
+    const auto &end = with_.within[static_cast<std::size_t>(Within::at_end)],
+               &way = with_.within[static_cast<std::size_t>(Within::on_the_way)];
+    if (!end || !way || kept.share >= needed || end->count == end->total || way->count == way->total) return "";
+    return fmt::format(": {} {}, {} {}", percent_text(way->share), phases_[0], percent_text(end->share), phases_[1]);
+  }
+
+  // Names the limit that most runs exceed, if that alone fails the balancer.
+  std::string what_fails(const Share& kept, double needed) const {
+    const Share* worst = nullptr;
+    std::size_t which = 0;
+    bool at_end = false;
+    const auto consider = [&](const std::optional<Share>& s, std::size_t k, bool end) {
+      if (!s || (worst && s->share <= worst->share)) return;
+      worst = &*s, which = k, at_end = end;
+    };
+    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+      consider(with_.exceeded[k], k, transient_limits[k].at_end);
+      consider(with_.exceeded_at_end[k], k, true);
+    }
+    if (!worst || !(worst->least > 1.0 - needed))
+      return fmt::format("only {} of runs stay within every limit; {} required.", share_words(kept),
+                         percent_text(needed));
+    const TransientLimit& limit = transient_limits[which];
+    const bool of_settling = limit.value == &TransientRow::settling_time;  // an end, but not a motion there
+    std::string words = fmt::format("{} of runs exceed the {} limit on {}{} ({}); at most {} may.", share_text(*worst),
+                                    shown(*(r_.study.limits.*limit.limit), limit.told_in()),
+                                    limit.by_speed ? limit.measured : figure_name(at_end ? limit.end : limit.value),
+                                    of_settling ? "" : fmt::format(" {}", phases_[at_end]), interval(*worst),
+                                    percent_text(1.0 - needed));
+    const auto& end = with_.within[static_cast<std::size_t>(Within::at_end)];
+    if (!at_end && end && end->count == end->total) {
+      std::string then = phases_[1];
+      then.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(then.front())));
+      words += fmt::format(" {} every run meets the limits.", then);
+    }
+    return words;
   }
 
   // Then its peaks may be what they are.
   bool bounds_the_way() const { return r_.study.limits.displacement || r_.study.limits.clearance; }
-
-  std::string bare_words(const std::optional<Share>& bare) const {
-    if (!bare || bare->total == 0) return "";
-    if (!bare_.one) return fmt::format("; without balls {}", share_words(*bare));
-    return bare->count > 0 ? "; the rotor without balls keeps them all" : "; the rotor without balls does not";
-  }
 
   void by_comparison() {
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
@@ -185,74 +222,83 @@ class Judge {
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
     const std::string low = number(most.low), high = number(most.high);
     verdict_.because = fmt::format(
-        "RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}{}.", number(most.value), unit.name,
-        low == high ? "" : fmt::format(" ({} to {})", low, high), number(without),
+        "In 9 of 10 runs the RMS velocity {} is at most {} {}{}; without balls {}{}.", phases_[1], number(most.value),
+        unit.name, low == high ? "" : fmt::format(" ({} to {})", low, high), number(without),
         bare_.one ? ""
-                  : fmt::format(". In 90 % of starts it is at most {} times that of the same rotor without balls",
+                  : fmt::format(". In 9 of 10 runs it is at most {} times that of the same rotor without balls",
                                 fmt::format("{:.2g}", times.value)));
     if (times.high <= quieter_end) {
       if (const std::string more = larger_peaks(); !more.empty())
-        say(Decision::caution, fmt::format(fit_if_it_may_shake, more));
+        say(Decision::caution, fit_if_it_may_vibrate(more));
       else
-        say(Decision::fit, "Fit it: in 90 % of starts it ends with at most half the vibration.");
+        say(Decision::fit, "Fit it: in 9 of 10 runs at most half of the vibration is left.");
     } else if (worse_at_end()) {
-      say(Decision::do_not_fit, "Do not fit it as it is: half of the starts end shaking more than without balls.");
+      say(Decision::do_not_fit, "Don't fit it as it is: half of the runs end up vibrating more than without balls.");
     } else if (times.low > quieter_end) {
-      say(Decision::change, "Change it: too many starts end with more than half of the vibration without balls.");
+      say(Decision::change, "Change the design: too many runs end with more than half of the vibration without balls.");
     } else {
-      say(Decision::open, "Not decided yet: whether 90 % of starts end with at most half the vibration.");
+      say(Decision::open, "Too close to call: whether 9 of 10 runs end with at most half of the vibration.");
     }
   }
 
   bool worse_at_end() const { return times_.end_velocity[median].low > 1.0; }
 
-  // "the peak reaches 26.6 mm in one start of ten, 18.2 mm without balls"; empty if it is not surely larger.
-  std::string larger_peaks() const {
-    if (!(times_.peak.low > larger_peak)) return "";
-    const auto most = [&](const TransientGroup& group) {
-      return shown(group.figure(&TransientRow::peak_radial).quantiles[ninety].value, study::Dimension::length);
-    };
-    return fmt::format("the peak reaches {} in one start of ten, {} without balls", most(with_), most(none_));
+  std::string peak_words(double peak) const {
+    return fmt::format("1 run in 10 peaks above {}", shown(peak, study::Dimension::length));
   }
 
-  // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
+  // "1 run in 10 peaks above 26.6 mm (18.2 mm without balls)"; empty if it is not certainly larger.
+  std::string larger_peaks() const {
+    if (!(times_.peak.low > larger_peak)) return "";
+    const auto most = [](const TransientGroup& group) {
+      return group.figure(&TransientRow::peak_radial).quantiles[ninety].value;
+    };
+    return fmt::format("{} ({} without balls)", peak_words(most(with_)), shown(most(none_), study::Dimension::length));
+  }
+
+  std::string fit_if_it_may_vibrate(const std::string& more) const {
+    return fmt::format("Fit it if you can accept more vibration {}: {}.", phases_[0], more);
+  }
+
+  // "Twice the drag: 199 of 200 trial runs stayed within every limit (97.2 to 99.9 %)."
   std::string best_words(std::span<const TriedChange> tried) const {
+    constexpr char further[] = "run \"equipoise design\" to search further.";
     const TriedChange* best = &tried.front();
     for (const TriedChange& t : tried)
       if (serves_better(t, *best)) best = &t;
+    std::string change = best->words;
+    change.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(change.front())));
     const std::string figure =
-        best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
-                   : fmt::format("at the end at most {} in 90 % of {} starts",
+        best->kept ? fmt::format("{} of {} trial runs stayed within every limit ({})", best->kept->count, best->starts,
+                                 interval(*best->kept))
+                   : fmt::format("RMS velocity {} at most {} in 9 of 10 of {} trial runs", phases_[1],
                                  shown(best->end_velocity.value, study::Dimension::velocity), best->starts);
-    const std::string peak =
-        fmt::format("the peak reaches {} in one start of ten", shown(best->peak.value, study::Dimension::length));
+    const std::string peak = peak_words(best->peak.value);
     if (best->decision == Decision::fit)
-      return fmt::format("With {}: {}{}.", best->words, figure,
-                         verdict_.decision == Decision::caution ? "; " + peak : "");
+      return fmt::format("{}: {}{}.", change, figure, verdict_.decision == Decision::caution ? "; " + peak : "");
     if (best->decision == Decision::caution) {
       const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
-      if (best->peak.high < now) return fmt::format("With {}: {} ({} starts).", best->words, peak, best->starts);
-      return fmt::format("None of {} changes tried is shown to lower the peak. \"equipoise design\" searches further.",
-                         tried.size());
+      if (best->peak.high < now) return fmt::format("{}: {} ({} trial runs).", change, peak, best->starts);
+      return fmt::format("None of the {} changes tried is shown to lower the peak; {}", tried.size(), further);
     }
     if (best->kept && best->kept->count == 0)
-      return fmt::format(
-          "With none of {} changes tried does a start keep every limit. \"equipoise design\" searches further.",
-          tried.size());
-    return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
-                       tried.size(), best->words, figure);
+      return fmt::format("With none of the {} changes tried does a run stay within every limit; {}", tried.size(),
+                         further);
+    if (best->decision == Decision::open && best->kept && best->kept->share >= required())
+      return fmt::format("{}: {}. That is too few runs to be sure of {}: rerun with it set.", change, figure,
+                         percent_text(required()));
+    return fmt::format("{}: {}. None of the {} changes tried is enough; {}", change, figure, tried.size(), further);
   }
 
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
+    const std::string share = percent_text(undecided.share);
     if (undecided.count > 0 && bare_.runs > 0 && bare_.stalled == bare_.runs)
       return fmt::format(
-          "{} of starts are undecided, and the rotor stalls even without balls: give its motor more torque.",
-          percent_text(undecided.share));
+          "{} of runs are undecided, and the rotor stalls even without balls: give its motor more torque.", share);
     if (undecided.count > 0)
-      return fmt::format("{} of starts are undecided: a longer numerics.horizon may tell.",
-                         percent_text(undecided.share));
-    return fmt::format("Run more starts: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
+      return fmt::format("{} of runs are undecided: raise the time limit, numerics.horizon, to settle it.", share);
+    return fmt::format("Run more: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
   }
 
   const BasinResult& r_;
@@ -260,6 +306,7 @@ class Judge {
   const OneBodyRuns& bare_;
   const TransientGroup& none_;
   const TimesBare times_;
+  const std::array<const char*, 2> phases_ = phase_words(r_.study);
   BalancerVerdict verdict_;
 };
 
@@ -340,7 +387,7 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
                          length = study::shown_unit(study::Dimension::length, r.study.scales);
   DocumentTable table{{"change",
-                       limited ? "keep every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
+                       limited ? "within every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
                        fmt::format("peak displacement, {}", length.name)}};
   const auto number = [](const QuantileEstimate& q, const study::ShownUnit& unit) {
     return number_cell(std::isfinite(q.value) ? fmt::format("{:.3g}", q.value * unit.size) : "-");
@@ -365,9 +412,12 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   return table;
 }
 
+Notice verdict_notice(const BalancerVerdict& v) {
+  return {v.words, tone_of(v.decision), {{"why", v.because}, {"try next", v.change}}};
+}
+
 std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
-  return in_tone(filled("verdict  ", v.words, style), tone_of(v.decision), style) +
-         filled("because  ", v.because, style) + filled("change   ", v.change, style) + "\n";
+  return document_text({"", {verdict_notice(v)}}, style) + "\n";
 }
 
 Json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {

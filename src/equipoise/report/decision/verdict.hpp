@@ -30,7 +30,7 @@ inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed
 struct BalancerVerdict {
   Decision decision = Decision::open;
   std::string words;       ///< "Fit it.", with a reason
-  std::string because;     ///< the deciding number with its interval, and that without balls
+  std::string because;     ///< why: the deciding number with its interval, and that without balls
   std::string change;      ///< the most useful change; a hint where none was tried
   bool leave_out = false;  ///< the machine needs none, or none can help
 
@@ -78,7 +78,9 @@ Tone tone_of(Decision decision);
 /// result that has a verdict.
 DocumentTable changes_table(const BasinResult& result, std::span<const TriedChange> tried, std::size_t most = 8);
 
-/// Three lines, "verdict  Fit it...", and the empty line after them.
+/// The verdict, why, and what to try next.
+Notice verdict_notice(const BalancerVerdict& verdict);
+/// That as text, and the empty line after it.
 std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = wide_style);
 
 }  // namespace equipoise

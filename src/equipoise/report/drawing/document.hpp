@@ -42,7 +42,7 @@ struct Paragraph {
   bool lead = false;        ///< the document's main statement, in larger letters
 };
 /// The document's verdict, before everything else: a statement in a box of a tone, and lines below it, each after a
-/// word that says what it is: {"because", "98 % of starts keep every limit."}.
+/// word that says what it is: {"why", "98 % of runs stay within every limit."}.
 struct Notice {
   std::string text;
   Tone tone = Tone::plain;

@@ -19,12 +19,11 @@
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
+#include "equipoise/report/reports/basin_summary.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
 
@@ -68,84 +67,9 @@ std::string passage_text(const BasinResult& r) {
 // Whether collisions of balls mattered.
 std::string contact_text(const Share& met) {
   if (met.count == 0)
-    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+    return "Contact: in no run did balls touch before the outcome was known, so contact decided none.\n";
   return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
                      percent(met.share, digits_for(met)), interval(met));
-}
-
-std::string end_name(const BasinResult& r, const OutcomeShare& o) {
-  return o.id == stalled_code
-             ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed)
-             : o.name;
-}
-
-// Without rows for what no start came to: none_words() names those. `explained`: the caption says what columns mean.
-DocumentTable outcome_table(const BasinResult& r, bool explained) {
-  const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
-  const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
-  const TransientResult* t = r.transients ? &*r.transients : nullptr;
-  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  const study::ShownUnit length = study::shown_unit(study::Dimension::length, r.study.scales);
-  const bool graded = is_graded(r.study);
-  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}};
-  const auto column = [&](bool there, const std::string& title, bool spare) {
-    if (!there) return;
-    if (spare) table.spare.push_back(table.header.size());
-    table.header.push_back(title);
-  };
-  column(open, "bounds", false);
-  column(t, fmt::format("RMS at end, {}", velocity.name), false);
-  const auto shown = [&](const OutcomeNumber& n) {
-    return n.dimension ? study::shown_unit(*n.dimension, r.study.scales) : study::ShownUnit{"", 1.0};
-  };
-  for (const OutcomeNumber& n : outcome_numbers)
-    column(true, physical && n.dimension ? fmt::format("{}, {}", n.title, shown(n).name) : n.title, true);
-  column(true, "starts", true);
-  column(even, "as good as", true);
-  column(t && graded, "balance quality", true);
-  column(t, fmt::format("displacement, {}", length.name), true);
-  const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool ended) {
-    std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
-    if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
-    const TransientGroup* group = nullptr;
-    if (t)
-      for (const TransientGroup& g : t->groups)
-        if (g.id == o.id && g.starts > 0) group = &g;
-    const auto mean = [&](float TransientRow::*value, const study::ShownUnit& unit) {
-      return number_cell(group ? fmt::format("{:.3g}", group->figure(value).mean * unit.size) : "-");
-    };
-    if (t) cells.push_back(mean(&TransientRow::rms_velocity, velocity));
-    for (const OutcomeNumber& n : outcome_numbers)
-      cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * shown(n).size) : "-"));
-    cells.push_back(number_cell(fmt::format("{}", o.share.count)));
-    if (even) cells.push_back(number_cell(as_good_as(o.share)));
-    const auto grade = group && graded ? left_grade(*group, r.study) : std::nullopt;
-    if (t && graded) cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
-    if (t) cells.push_back(mean(&TransientRow::peak_radial_at_end, length));
-    table.rows.push_back(std::move(cells));
-  };
-  for (const OutcomeShare& a : r.attractors)
-    if (a.share.count > 0 || a.id == balanced_id) row(reader_title(a, physical), Tone::plain, a, a.share.count > 0);
-  for (const OutcomeShare& o : r.others())
-    if (o.share.count > 0) row(end_name(r, o), Tone::open, o, false);
-  std::vector<std::string> captions;
-  if (open)
-    captions.emplace_back(
-        "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they "
-        "end.");
-  if (t && explained)
-    captions.emplace_back("Velocity and displacement at the end: means over the starts of the outcome.");
-  if (t && graded && explained)
-    captions.push_back(fmt::format(
-        "Balance quality: ISO 21940-11's grade of the unbalance that is left{}, for comparison only.",
-        r.study.parameters.tilts() ? " in the plane of the outermost bearing that has more of it for its share" : ""));
-  if (explained)
-    captions.push_back(fmt::format(
-        "Known after: mean time until the outcome is certain, from when the drive no longer changes and the "
-        "balls are free{}.",
-        physical ? "" : ", in 1/omega_c"));
-  table.caption = fmt::format("{}", fmt::join(captions, " "));
-  return table;
 }
 
 // "No start was undecided, diverged or failed (each below 0.19 %)." "No start came to: co-drifting, chaotic; locked;
@@ -180,8 +104,8 @@ std::string none_words(const BasinResult& r) {
 
 class BasinDocument {
  public:
-  BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, bool details, const MachinePage* page)
-      : r_(r), tried_(tried), details_(details), page_(page), study_(r.study), shown_(r.study) {
+  BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, const MachinePage* page)
+      : r_(r), tried_(tried), page_(page), study_(r.study), shown_(r.study) {
     if (r.transients && !r.transients->groups.empty() && r.transients->groups.front().starts > 0)
       all_ = &r.transients->groups.front();
   }
@@ -189,19 +113,16 @@ class BasinDocument {
   Document make() {
     const auto verdict = verdict_of(r_, tried_);
     std::optional<Notice> notice;
-    if (verdict)
-      notice = Notice{
-          verdict->words, tone_of(verdict->decision), {{"because", verdict->because}, {"change", verdict->change}}};
+    if (verdict) notice = verdict_notice(*verdict);
     const std::string answer = notice && !page_ ? "" : answer_sentence(r_);  // a page has room for both
     document_ = document_with(study_, answer, r_.own_starts ? "" : uncertain_text(study_), notice);
-    stopped();
+    add_stopped(document_, r_);
     const bool balls = study_.parameters.balls > 0;
-    if (balls && !r_.note.empty())
-      document_.add(Paragraph{fmt::format("Note: {}.", note_text(study_, r_.note)), Tone::open});
+    add_note(document_, r_);
     if (page_) changes();
     if (page_ && !page_->runs.empty()) {
       const bool constant = study_.speed.profile == Profile::constant;
-      document_.add(Heading{2, constant ? "How it shakes" : "How it shakes on its way up", ""});
+      document_.add(Heading{2, constant ? "How it vibrates" : "How it vibrates during start-up", ""});
       document_.add(run_up_drawing(*page_));
     }
     if (!balls && r_.without_balls) alone();
@@ -216,16 +137,6 @@ class BasinDocument {
   }
 
  private:
-  void stopped() {
-    if (study_.parameters.balls == 0 ? r_.without_balls.has_value() : !r_.partial && r_.starts > 0) return;
-    std::string text = "PARTIAL: stopped before anything was known.";
-    if (study_.parameters.balls > 0)
-      text = r_.starts == 0 ? "PARTIAL: stopped before the first start was decided; there are no shares."
-                            : fmt::format("PARTIAL: stopped after {}{} starts; all figures are of those.", r_.starts,
-                                          r_.asked > 0 ? fmt::format(" of {}", r_.asked) : "");
-    document_.add(Paragraph{text, Tone::bad});
-  }
-
   void changes() {
     DocumentTable table = changes_table(r_, tried_);
     if (table.rows.empty()) return;
@@ -256,7 +167,7 @@ class BasinDocument {
   void ends() {
     document_.add(Heading{2, "Where starts end", ""});
     if (page_) document_.add(ends_drawing(*page_));
-    document_.add(outcome_table(r_, details_ || page_));
+    document_.add(outcome_table(r_, false));
     if (const std::string none = none_words(r_); !none.empty()) document_.add(Paragraph{none});
     document_.add_lines(left_unbalance_text(r_.attractors, study_));
   }
@@ -271,13 +182,12 @@ class BasinDocument {
   }
 
   void more() {
-    if (r_.transients && details_) add_transients(document_, *r_.transients, study_);
+    if (r_.transients && !page_) add_transients(document_, *r_.transients, study_);
     if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
-    if (details_) document_.add_lines(decided_text(r_));
+    if (!page_) document_.add_lines(decided_text(r_));
     if (r_.passed) document_.add_lines(passage_text(r_));
     if (r_.met) document_.add_lines(contact_text(*r_.met));
-    if (const std::string hanging = hanging_text(study_); !page_ && !hanging.empty())
-      document_.add(Paragraph{fmt::format("Warning: {}.", hanging), Tone::open});
+    if (!page_) add_hanging(document_, study_);
     document_.add_lines(sampling_text(r_));
   }
 
@@ -301,7 +211,6 @@ class BasinDocument {
 
   const BasinResult& r_;
   const std::span<const TriedChange> tried_;
-  const bool details_;
   const MachinePage* page_;  // null: no drawings
   const TransientGroup* all_ = nullptr;
   const Study& study_;
@@ -312,11 +221,12 @@ class BasinDocument {
 }  // namespace
 
 std::string basin_text(const BasinResult& result, const TextStyle& style, std::span<const TriedChange> tried) {
-  return document_text(BasinDocument(result, tried, style.details, nullptr).make(), style);
+  return document_text(style.details ? BasinDocument(result, tried, nullptr).make() : basin_summary(result, tried),
+                       style);
 }
 
 std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
-  return document_page(BasinDocument(page.basin, tried, false, &page).make(), page.basin.study, page);
+  return document_page(BasinDocument(page.basin, tried, &page).make(), page.basin.study, page);
 }
 
 }  // namespace equipoise

@@ -226,7 +226,7 @@ Document document_of(const DesignResult& r) {
   const Tone tone = r.partial ? Tone::open : r.feasible ? Tone::good : Tone::bad;
   Document document =
       document_with(r.study, "", uncertain_text(r.study),
-                    Notice{verdict.words, tone, {{"because", verdict.because}, {"margins", verdict.margins}}});
+                    Notice{verdict.words, tone, {{"why", verdict.because}, {"margins", verdict.margins}}});
   if (!r.proposed.empty()) document.add(Listing{"The study states no [design]; proposed [design]", r.proposed, true});
   if (r.partial) document.add(Paragraph{stopped_design_text(r), Tone::open});
   if (r.chosen) add_chosen(document, r);

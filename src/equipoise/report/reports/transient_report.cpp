@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -137,21 +138,6 @@ std::string times_words(const TransientGroup& with, const TransientGroup& bare, 
                      transient_figures[figure_place(figure)].title, median, most);
 }
 
-// Whether the rotor without balls keeps the limits; empty if none is stated.
-std::string limit_words(const OneBodyRuns& bare) {
-  const auto &end = bare.figures.within[static_cast<std::size_t>(Within::at_end)],
-             &way = bare.figures.within[static_cast<std::size_t>(Within::on_the_way)];
-  if (!end || bare.figures.starts == 0) return "";
-  if (bare.one)
-    return fmt::format("without balls the rotor ends {}{}", end->count > 0 ? "within all limits" : "over a limit",
-                       !way             ? ""
-                       : way->count > 0 ? ", and is never over one on the way"
-                                        : ", and is over one on the way");
-  const auto share = [](const Share& s) { return percent(s.share, digits_for(s)); };
-  return fmt::format("without balls {} of the runs end within all limits{}", share(*end),
-                     way ? fmt::format(", and {} are never over one on the way", share(*way)) : "");
-}
-
 std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
   return runs.one ? "" : fmt::format(" in {} of {} runs", count, runs.runs);
 }
@@ -194,10 +180,38 @@ std::string places_words(const BasinResult& r) {
                        ? "; the residual unbalance is that in the plane of the outermost bearing that has more of it "
                          "for its share of what the rotor may have, as ISO 21940-11 shares it out"
                        : "; the residual unbalance is the static one alone, which has no balance quality grade: ISO "
-                         "21940-11 judges a rotor that tilts in the planes of two bearings, and two are not stated");
+                         "21940-11 judges a tilting rotor in the planes of two bearings, and two are not stated");
 }
 
 }  // namespace
+
+std::array<const char*, 2> phase_words(const Study& study) {
+  const SpeedSetting& s = study.speed;
+  const bool up = !s.driven() && (s.profile == Profile::hill ||
+                                  (s.profile == Profile::ramp && std::fabs(s.final) > std::fabs(s.initial)));
+  return {runs_up(study) ? "during start-up" : "before settling", up ? "at full speed" : "once settled"};
+}
+
+std::string figure_name(float TransientRow::*figure) {
+  const std::string title = transient_figures[figure_place(figure)].title;
+  return title.substr(0, title.find(" at the end"));
+}
+
+std::string bare_limit_words(const OneBodyRuns& bare, const Study& study) {
+  const auto &end = bare.figures.within[static_cast<std::size_t>(Within::at_end)],
+             &way = bare.figures.within[static_cast<std::size_t>(Within::on_the_way)];
+  const auto& kept = bare.figures.kept();
+  if (!kept || kept->total == 0) return "";
+  if (!bare.one)
+    return fmt::format("Without balls {} of runs stay within every limit ({})", share_text(*kept), interval(*kept));
+  const bool over_end = end && end->count == 0, over_way = way && way->count == 0;
+  if (!over_end && !over_way) return "Without balls the rotor meets every limit";
+  const auto [before, after] = phase_words(study);
+  std::string words = fmt::format("Without balls the rotor exceeds a limit {}{}", over_way ? before : after,
+                                  over_way && over_end ? fmt::format(" and {}", after) : "");
+  if (end && way && over_end != over_way) words += fmt::format(", but not {}", over_way ? after : before);
+  return words;
+}
 
 bool tells_without_balls(const BasinResult& r) {
   return r.transients && r.without_balls && !r.transients->groups.empty() &&
@@ -303,6 +317,21 @@ DocumentTable way_table(const BasinResult& r) {
   return table;
 }
 
+std::vector<std::string> not_steady_words(const OneBodyRuns& body, const char* how, const Study& study) {
+  std::vector<std::string> words;
+  if (body.stalled > 0)
+    words.push_back(
+        fmt::format("{} the motor does not bring the rotor up to speed{}{}.", how, of_runs(body.stalled, body),
+                    body.one && body.figures.mean_speed
+                        ? ": it ends at " + engineering(study.scales, *body.figures.mean_speed, study::Dimension::speed)
+                        : ""));
+  if (body.open > 0)
+    words.push_back(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen.", how,
+                                of_runs(body.open, body)));
+  if (body.lost > 0) words.push_back(fmt::format("{} the rotor's motion is lost{}.", how, of_runs(body.lost, body)));
+  return words;
+}
+
 std::vector<std::string> without_balls_words(const BasinResult& r) {
   std::vector<std::string> words;
   const auto say = [&](const std::string& sentence) {
@@ -312,21 +341,10 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
   if (tells_without_balls(r))
     for (const auto figure : {&TransientRow::peak_radial, &TransientRow::rms_velocity})
       say(times_words(r.transients->groups.front(), r.without_balls->bare.figures, figure));
-  say(limit_words(r.without_balls->bare));
-  const auto tell = [&](const OneBodyRuns& body, const char* how) {
-    if (body.stalled > 0)
-      say(fmt::format(
-          "{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
-          body.one && body.figures.mean_speed
-              ? ": it ends at " + engineering(r.study.scales, *body.figures.mean_speed, study::Dimension::speed)
-              : ""));
-    if (body.open > 0)
-      say(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen", how,
-                      of_runs(body.open, body)));
-    if (body.lost > 0) say(fmt::format("{} the rotor's motion is lost{}", how, of_runs(body.lost, body)));
-  };
-  tell(r.without_balls->bare, "without balls");
-  tell(r.without_balls->held, "with balls held");
+  say(bare_limit_words(r.without_balls->bare, r.study));
+  for (const auto& [body, how] :
+       {std::pair{&r.without_balls->bare, "Without balls"}, {&r.without_balls->held, "With balls held"}})
+    for (std::string& sentence : not_steady_words(*body, how, r.study)) words.push_back(std::move(sentence));
   return words;
 }
 

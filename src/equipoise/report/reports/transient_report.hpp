@@ -20,6 +20,14 @@ void add_transients(Document& document, const TransientResult& result, const Stu
 /// unless is_graded() (results/commands/left_grade.hpp), and if a driven rotor's speed was never measured.
 std::optional<double> left_grade(const TransientGroup& group, const Study& study);
 
+/// When peaks occur and when the motion at the end does: "during start-up" and "at full speed", or words that fit a
+/// study without a run-up, or whose speed may not be kept.
+std::array<const char*, 2> phase_words(const Study& study);
+/// A figure's title without when it is measured: "RMS velocity".
+std::string figure_name(float TransientRow::*figure);
+/// Whether the rotor without balls meets the limits, and if not, when; empty if none is stated.
+std::string bare_limit_words(const OneBodyRuns& bare, const Study& study);
+
 /// Whether the result tells of the rotor without balls next to that with them.
 bool tells_without_balls(const BasinResult& result);
 /// A row a figure: without balls and with balls held if tells_without_balls(), with balls, and limits. For a result
@@ -29,6 +37,8 @@ DocumentTable way_table(const BasinResult& result);
 DocumentTable bare_table(const BasinResult& result);
 /// Then: how many runs tell of it.
 std::string bare_words(const BasinResult& result);
+/// That these runs stalled, came to no steady motion or were lost, each if some did. `how`: "Without balls".
+std::vector<std::string> not_steady_words(const OneBodyRuns& body, const char* how, const Study& study);
 /// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
 /// The object "without_balls" of json_text(), in the units of transient_json().

@@ -108,9 +108,9 @@ struct TextWriter {
     return in_tone(filled(p.lead ? "answer   " : "", p.text, style), p.tone, style);
   }
   std::string operator()(const Notice& n) const {
-    std::string text = in_tone(filled("verdict  ", n.text, style), n.tone, style);
+    std::string text = in_tone(filled("verdict   ", n.text, style), n.tone, style);
     for (const auto& [word, line] : n.lines)
-      if (!line.empty()) text += filled(fmt::format("{:<9}", word), line, style);
+      if (!line.empty()) text += filled(fmt::format("{:<10}", word), line, style);
     return text;
   }
   std::string operator()(const ItemList& list) const {

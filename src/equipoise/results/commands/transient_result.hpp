@@ -60,6 +60,12 @@ struct TransientResult {
   std::vector<TransientGroup> groups;  ///< all, then by outcome
   std::vector<PairedStart> first{};    ///< the first starts, by index
 
+  /// The figures of the starts with an outcome; null if there are none.
+  const TransientGroup* of(int outcome) const {
+    for (const TransientGroup& group : groups)
+      if (group.id == outcome && group.starts > 0) return &group;
+    return nullptr;
+  }
   bool asks(const TransientFigure& f, const Limits& limits) const {
     return f.value == &TransientRow::energy ? settings.work != WorkSource::none : !f.needs || limits.*f.needs;
   }
