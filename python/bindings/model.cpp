@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "convert.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 
@@ -121,9 +122,12 @@ py::array_t<double> initial_states(const StudyEquations& e, const std::optional<
 }
 
 std::unique_ptr<Mapper> make_mapper(const PyStudy& s, const py::dict& settings) {
-  CallWith<> call(settings);
+  CallWith<MapperOptions> call(settings);
   try {
-    return Call::run([&] { return std::make_unique<Mapper>(s.study, call.options); });
+    return Call::run([&] {
+      check_takes_starts(s.study);
+      return std::make_unique<Mapper>(s.study, call.options);
+    });
   } catch (const RunError&) {
     if (!call.interrupted()) throw;
     PyErr_SetNone(PyExc_KeyboardInterrupt);

@@ -228,7 +228,7 @@ TEST(OwnStartsAlone, ThatAreNoneAreRefusedBeforeAnyWork) {
   one.initial.resize(1);
   const Study uncertain = parse_study(constant_speed, "uncertain", {"rotor.eccentricity={values=[0.01]}"});
   EXPECT_THROW(basin(uncertain, one), InputError);
-  EXPECT_THROW(Mapper{uncertain}, InputError);
+  EXPECT_THROW(Mapper{uncertain}(InitialState{}), InputError);
   const Mapper mapper(study_of("prescribed", 1));
   InitialState nowhere;
   nowhere.y = endless;
@@ -336,7 +336,7 @@ TEST(MapperOfManyThreads, AnswersAsOfOne) {
 
 TEST(MapperOfManyThreads, EndsEarlyWhenAskedTo) {
   StopFlag stop{true};
-  RunOptions options;
+  MapperOptions options;
   options.stop = &stop;
   EXPECT_THROW(Mapper(study_of("prescribed", 1), options), RunError);
   const Mapper mapper(study_of("prescribed", 1));

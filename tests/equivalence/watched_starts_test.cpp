@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/mapper/ensemble.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/simulation/trajectory/followed_run.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
@@ -26,14 +26,14 @@ StartArrays starts_of_basin(Study study, std::uint64_t starts) {
   return *basin(study, options).every_start;
 }
 
-TEST(Ensemble, GivesStartsTheBitsOfBasinInWhateverPieces) {
+TEST(Mapper, GivesStartsTheBitsOfBasinInWhateverPieces) {
   const Study study = parse_study(constant_speed, "rotor");
   const StartArrays whole = starts_of_basin(study, 700);
-  EnsembleOptions options;
+  MapperOptions options;
   options.transients = true;
-  Ensemble ensemble(study, options);
+  const Mapper mapper(study, options);
   for (const auto& [first, count] : {std::pair{500u, 200u}, std::pair{0u, 37u}, std::pair{37u, 463u}}) {
-    const Ensemble::Ended ended = ensemble.starts(first, count);
+    const Decided ended = mapper.starts(first, count);
     ASSERT_EQ(ended.fates.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(code_of(ended.fates[i]), whole.outcome[first + i]);
@@ -44,10 +44,9 @@ TEST(Ensemble, GivesStartsTheBitsOfBasinInWhateverPieces) {
   }
 }
 
-TEST(Ensemble, GivesAnglesTheBitsOfTheMapper) {
+TEST(Mapper, GivesAnglesTheBitsOfStates) {
   const Study study = parse_study(constant_speed, "rotor");
   const Mapper mapper(study);
-  Ensemble ensemble(study);
   std::vector<double> phi;
   std::vector<InitialState> states;
   for (int k = 0; k < 40; ++k) {
@@ -58,24 +57,24 @@ TEST(Ensemble, GivesAnglesTheBitsOfTheMapper) {
     phi.insert(phi.end(), {s.phi[0], s.phi[1]});
   }
   const std::vector<Fate> expected = mapper(states);
-  const Ensemble::Ended ended = ensemble.at_angles(phi);
+  const Decided ended = mapper.at_angles(phi);
   for (std::size_t i = 0; i < states.size(); ++i) {
     EXPECT_EQ(code_of(ended.fates[i]), code_of(expected[i]));
     EXPECT_EQ(ended.fates[i].time, expected[i].time);
   }
 }
 
-TEST(Ensemble, BallsThatOverlapMakeNoStart) {
-  Ensemble ensemble(parse_study(constant_speed, "rotor", {"balancer.contact_angle=0.3"}));
-  const Ensemble::Ended ended = ensemble.at_angles({1.0, 1.1, 1.0, 4.0});
+TEST(Mapper, BallsThatOverlapMakeNoStart) {
+  const Mapper mapper(parse_study(constant_speed, "rotor", {"balancer.contact_angle=0.3"}));
+  const Decided ended = mapper.at_angles({1.0, 1.1, 1.0, 4.0});
   EXPECT_EQ(ended.fates[0].outcome, Outcome::failed);
   EXPECT_TRUE(std::isnan(ended.fates[0].time));
   EXPECT_EQ(ended.fates[1].outcome, Outcome::attracted);
 }
 
-TEST(Ensemble, RefusesWhatBasinRefuses) {
-  EXPECT_THROW(Ensemble(parse_study(constant_speed, "rotor", {"speed.speed=1e7"})), InputError);
-  Ensemble grid(parse_study(constant_speed, "rotor", {"sampling.method=grid", "sampling.starts=400"}));
+TEST(Mapper, RefusesWhatBasinRefuses) {
+  EXPECT_THROW(Mapper(parse_study(constant_speed, "rotor", {"speed.speed=1e7"})), InputError);
+  const Mapper grid(parse_study(constant_speed, "rotor", {"sampling.method=grid", "sampling.starts=400"}));
   EXPECT_THROW(grid.starts(100000, 10), InputError);
   EXPECT_THROW(grid.at_angles({1.0, 2.0, 3.0}), InputError);
 }

@@ -14,8 +14,9 @@
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/analyses/ensembles/without_balls.hpp"
-#include "equipoise/analyses/mapper/ensemble.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
@@ -145,13 +146,13 @@ Json one_body(const Json& args, Bulk& bulk) {
 Json try_change(const Json& args, Bulk& bulk) {
   const std::vector<Change> changes = usual_changes(study_of(args.at(0)));
   const auto k = args.at(1).get<std::size_t>();
-  EnsembleOptions options;
+  MapperOptions options;
   options.transients = true;
   options.search = SearchMode::few;
   options.progress = tell;
-  Ensemble ensemble(changes.at(k).study, options);
-  const Study& study = ensemble.study();
-  const Ensemble::Ended ended = ensemble.starts(0, starts_of_a_change);
+  const Mapper mapper(changes.at(k).study, options);
+  const Study& study = mapper.study();
+  const Decided ended = mapper.starts(0, starts_of_a_change);
   const Sampler sampler = sampler_of(study);
   const OneBodyTask task{study, sampler, starts_of_a_change};
   Json json = told_rows(ended.fates, ended.transients, bulk);

@@ -13,7 +13,9 @@
 
 #include "calls.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
-#include "equipoise/analyses/mapper/ensemble.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -30,11 +32,11 @@ struct Kept {
   std::string toml;
   bool transients;
   double seconds;
-  Ensemble ensemble;
+  Mapper mapper;
 };
 
 // The last few: two settings side by side, with figures of transients and without.
-Ensemble& kept(const std::string& toml, const Study& study, bool transients, double* seconds = nullptr) {
+const Mapper& kept(const std::string& toml, const Study& study, bool transients, double* seconds = nullptr) {
   constexpr std::size_t most = 6, most_searches = 24;
   static std::list<Kept> all;
   static AttractorSearchCache searches;
@@ -43,19 +45,19 @@ Ensemble& kept(const std::string& toml, const Study& study, bool transients, dou
   if (at == all.end()) {
     if (searches.made.size() >= most_searches) searches.made.clear();
     const auto begin = std::chrono::steady_clock::now();
-    EnsembleOptions options;
+    MapperOptions options;
     options.transients = transients;
     options.searches = &searches;
     options.progress = tell;
-    Ensemble ensemble(study, options);
+    Mapper mapper(study, options);
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    all.push_front({toml, transients, took, std::move(ensemble)});
+    all.push_front({toml, transients, took, std::move(mapper)});
     if (all.size() > most) all.pop_back();
     at = all.begin();
   }
   all.splice(all.begin(), all, at);
   if (seconds) *seconds = all.front().seconds;
-  return all.front().ensemble;
+  return all.front().mapper;
 }
 
 Json outcome_json(const OutcomeShare& o, const Study& study) {
@@ -63,10 +65,11 @@ Json outcome_json(const OutcomeShare& o, const Study& study) {
                 "colour", colour_of(o.id));
 }
 
-Json outcomes_json(const Ensemble& ensemble) {
+Json outcomes_json(const Mapper& mapper) {
   Json list = Json::array();
-  const Study& study = ensemble.study();
-  for (const Attractor& a : ensemble.catalogue().attractors())
+  const Study& study = mapper.study();
+  const Catalogue known = mapper.attractors();
+  for (const Attractor& a : known.attractors())
     list.push_back(outcome_json({a.id, a.name, a.alias}, study));
   for (const NoAttractor& n : no_attractors)
     if (n.outcome != Outcome::stalled || study.speed.driven()) list.push_back(outcome_json({n.code, n.name}, study));
@@ -85,9 +88,9 @@ Json path_json(const Study& study, const Motion& motion) {
 
 // What `decide` answers, and how long it took: a search for attractors, which comes before, is made once.
 template <class Decide>
-Json fates_json(const Ensemble& ensemble, std::uint64_t first, Decide&& decide, Bulk& bulk) {
+Json fates_json(const Mapper& mapper, std::uint64_t first, Decide&& decide, Bulk& bulk) {
   const auto begin = std::chrono::steady_clock::now();
-  Ensemble::Ended ended = decide();
+  Decided ended = decide();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::vector<double> time;
   for (const Fate& fate : ended.fates) time.push_back(fate.time);
@@ -96,9 +99,9 @@ Json fates_json(const Ensemble& ensemble, std::uint64_t first, Decide&& decide, 
                {"count", ended.fates.size()},
                {"time", bulk.doubles(std::move(time))},
                {"angles", bulk.doubles(std::move(ended.phi))},
-               {"balls", ensemble.study().parameters.balls},
+               {"balls", mapper.study().parameters.balls},
                {"seconds", seconds},
-               {"outcomes", outcomes_json(ensemble)}});
+               {"outcomes", outcomes_json(mapper)}});
   return json;
 }
 
@@ -122,20 +125,21 @@ BasinOutcomes outcomes_of(const Json& side) {
 Json search_attractors(const Json& args, Bulk&) {
   const std::string toml = args.at(0).get<std::string>();
   double seconds = 0.0;
-  const Ensemble& ensemble = kept(toml, study_of(args.at(0)), false, &seconds);
-  const Study study = with_medians(ensemble.study());
+  const Mapper& mapper = kept(toml, study_of(args.at(0)), false, &seconds);
+  const Study study = with_medians(mapper.study());
   Json attractors = Json::array();
-  for (const Attractor& a : ensemble.catalogue().attractors()) {
+  const Catalogue known = mapper.attractors();
+  for (const Attractor& a : known.attractors()) {
     Json one = outcome_json({a.id, a.name, a.alias}, study);
     one.update(motion_json(a, study));
     one["stability"] = stability_text(a, study.scales);
     one["path"] = path_json(study, a.motion);
     attractors.push_back(std::move(one));
   }
-  return {{"outcomes", outcomes_json(ensemble)},
+  return {{"outcomes", outcomes_json(mapper)},
           {"attractors", attractors},
-          {"note", ensemble.balance().note},
-          {"horizon", *ensemble.study().numerics.horizon},
+          {"note", mapper.balance().note},
+          {"horizon", *mapper.study().numerics.horizon},
           {"seconds", seconds}};
 }
 
@@ -149,15 +153,15 @@ Json ensemble(const Json& args, Bulk& bulk) {
     study.sampling.seed = options.at("seed").get<std::uint64_t>();
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
-  Ensemble& e = kept(toml, study, options.value("figures", false));
+  const Mapper& m = kept(toml, study, options.value("figures", false));
   return fates_json(
-      e, first, [&] { return e.starts(first, count); }, bulk);
+      m, first, [&] { return m.starts(first, count); }, bulk);
 }
 
 Json states(const Json& args, Bulk& bulk) {
-  Ensemble& e = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
+  const Mapper& m = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
   return fates_json(
-      e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
+      m, 0, [&] { return m.at_angles(numbers_of<double>(args.at(1))); }, bulk);
 }
 
 Json shares(const Json& args) {

@@ -1,4 +1,4 @@
-// Sessions for the starts of an ensemble.
+// What an ensemble's options ask of its study and its search.
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 
 #include <utility>
@@ -46,21 +46,6 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
           .starts = options.search_serves,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
           .notes = options.notes};
-}
-
-Session lasting_session(const Study& study, const RunOptions& options, bool transients, AttractorSearchCache& found,
-                        SearchMode mode) {
-  AttractorSearchSettings search{.threads = thread_count(options.threads),
-                                 .stop = options.stop,
-                                 .cache = &found,
-                                 .progress = options.progress,
-                                 .mode = mode};
-  const bool searches = study.uncertain.empty();
-  if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
-    throw RunError("stopped before the attractors were known");
-  search.stop = nullptr;
-  search.progress = nullptr;
-  return {study, search, transients};
 }
 
 }  // namespace equipoise
