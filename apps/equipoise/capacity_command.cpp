@@ -39,7 +39,7 @@ StudySource capacity_source(const CapacityArguments& a) {
 }
 
 SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
-  CellRequest request;
+  BasinOptions request;
   request.transients = a.by != "balanced";
   return SweepPlan(source, capacity_axes(a), request, "--over");
 }
@@ -48,10 +48,7 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   CapacityOptions options;
   options.of = "--of";
   options.key = capacity_key(plan.source(), a.of, options.of);
-  const CapacityRange range = capacity_range(plan, options.key, a.between, "--between");
-  options.from = range.from;
-  options.to = range.to;
-  options.unit = range.unit;
+  static_cast<CapacityRange&>(options) = capacity_range(plan, options.key, a.between, "--between");
   const std::vector<std::string> goals = capacity_goals(plan.study());
   option_choice<int>("--by", a.by, goals);
   options.by = a.by;

@@ -60,7 +60,7 @@ void read_shard(const std::string& text, SweepOptions& options) {
 }
 
 SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
-  CellRequest request;
+  BasinOptions request;
   request.limit_given = a.starts.has_value();
   if (a.half_width) request.half_width = half_width_option(*a.half_width);
   if (a.transients) request.transients = true;

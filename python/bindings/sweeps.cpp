@@ -21,7 +21,7 @@ py::tuple sweep_setting(const PyStudy& s) { return py::make_tuple(s.study.sweep.
 Kept<SweepResult> run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip, double half_width,
                             bool limit_given, std::optional<bool> transients, const std::string& output,
                             std::size_t shard, std::size_t shards, const py::dict& settings) {
-  CellRequest request;
+  BasinOptions request;
   request.half_width = half_width;
   request.limit_given = limit_given;
   request.transients = transients;
@@ -40,17 +40,14 @@ Kept<SweepResult> merge(const std::vector<std::string>& files, const std::string
 Kept<CapacityResult> find_capacity(const PyStudy& s, const std::string& of, const std::string& between, double at_least,
                                    const std::string& by, double precision, const std::vector<std::string>& over,
                                    bool zip, const std::string& output, const py::dict& settings) {
-  CellRequest request;
+  BasinOptions request;
   request.transients = by != "balanced";
   const std::vector<SweepAxis> axes = over.empty() ? std::vector<SweepAxis>{} : sweep_axes(over, zip, "over");
   const SweepPlan plan(of.empty() ? with_unbalance(s.source, axes) : s.source, axes, request, "over");
   CallWith<CapacityOptions> call(settings);
   CapacityOptions& options = call.options;
   options.key = capacity_key(plan.source(), of, options.of);
-  const CapacityRange range = capacity_range(plan, options.key, between, "between");
-  options.from = range.from;
-  options.to = range.to;
-  options.unit = range.unit;
+  static_cast<CapacityRange&>(options) = capacity_range(plan, options.key, between, "between");
   options.at_least = at_least;
   options.by = by;
   options.precision = precision;

@@ -148,7 +148,7 @@ TEST(Capacity, SaysWhereNoStaticUnbalanceMeasuresIt) {
 
 TEST(Capacity, IsAgainstTheLimitThatIsAskedFor) {
   const StudySource source = with_unbalance({machine, "machine", {}}, {});
-  CellRequest request;
+  BasinOptions request;
   request.transients = true;
   const SweepPlan plan(source, {}, request, "over");
   CapacityOptions options;

@@ -319,7 +319,7 @@ TEST(DesignStanding, LimitsComeFirstThenEveryObjective) {
                  "[design]\nmethod = \"latin\"\nobjective = [\"balanced\", \"peak_radial.0.5\"]\n"
                  "[design.vary]\n\"balancer.mass\" = [0.01, 0.1]\n"
                  "[design.require]\n\"balanced\" = { above = 0.5 }\n");
-  const DesignStanding standing(problem.figures(), problem.objectives(), problem.limits());
+  const DesignStanding standing(problem);
   const auto beats = [&](const DesignSample& a, const DesignSample& b) {
     return standing.beats(a, Side::estimate, b, Side::estimate);
   };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -97,11 +98,12 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   return codes;
 }
 
-// Reads all rows of `store` in order, renames codes by `seen`, and counts. Adds to `map`, whose axes are those of the
+// Reads all rows of a slice in order, renames codes by `seen`, and counts. Adds to `map`, whose axes are those of the
 // whole slice: pixels (of a large slice, only some), shares, figures.
 class SliceAssembly {
  public:
-  SliceAssembly(BasinSlice& map, const PixelStore& store, const std::map<short, OutcomeShare>& seen);
+  using ReadRows = std::function<void(int first, int rows, SlicePixel* pixels)>;  // whole rows
+  SliceAssembly(BasinSlice& map, const ReadRows& read_rows, const std::map<short, OutcomeShare>& seen);
   void run();
 
  private:
@@ -112,7 +114,7 @@ class SliceAssembly {
   void finish();
 
   BasinSlice& map_;
-  const PixelStore& store_;
+  const ReadRows& read_rows_;
   const std::map<short, OutcomeShare>& seen_;
   SliceFigureCount figures_;
   const InvariantPixels invariant_;
@@ -124,8 +126,13 @@ class SliceAssembly {
 // Rows read at once.
 constexpr int band_rows = 64;
 
-SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const std::map<short, OutcomeShare>& seen)
-    : map_(map), store_(store), seen_(seen), figures_(map), invariant_(map), one_rotor_(!map.balance_margin.empty()) {
+SliceAssembly::SliceAssembly(BasinSlice& map, const ReadRows& read_rows, const std::map<short, OutcomeShare>& seen)
+    : map_(map),
+      read_rows_(read_rows),
+      seen_(seen),
+      figures_(map),
+      invariant_(map),
+      one_rotor_(!map.balance_margin.empty()) {
   map_.codes = map_codes(seen, map.study);
   map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (map_.pixels > most_pixels_in_memory)
@@ -152,7 +159,7 @@ void SliceAssembly::run() {
   for (int first = 0; first < map_.y.pixels; first += band_rows) {
     const int there = std::min(band_rows, map_.y.pixels - first);
     pixels.resize(columns * static_cast<std::size_t>(there));
-    store_.read_rows(first, there, pixels.data());
+    read_rows_(first, there, pixels.data());
     give_codes(pixels);
     for (int row = 0; row < there; ++row) add_row(first + row, pixels.data() + columns * static_cast<std::size_t>(row));
   }
@@ -205,7 +212,7 @@ void SliceAssembly::finish() {
   map_.every = every_;
 }
 
-class MapRun final : public PixelTaker {
+class MapRun {
  public:
   MapRun(const Study& study, const BasinSliceSettings& settings) : settings_(settings) {
     map_.study = with_medians(study);
@@ -231,6 +238,10 @@ class MapRun final : public PixelTaker {
   }
 
  private:
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels);
+  }
+
   void prepare() {
     map_.threads = thread_count(settings_.threads);
     map_.cpu_target = cpu_target();
@@ -253,26 +264,24 @@ class MapRun final : public PixelTaker {
 
   void open() {
     if (!settings_.output.empty()) {
-      auto file = std::make_unique<SliceStore>(settings_.output, header_);
-      file_ = file.get();
+      file_ = std::make_unique<SliceStore>(settings_.output, header_);
       give_notice(settings_, file_->loss());
-      store_ = std::move(file);
       for (const OutcomeShare& code : file_->codes()) names_.know(code);
     } else {
-      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels);
+      held_.resize(pixel_count());
     }
   }
 
   void read_whole() {
     std::map<short, OutcomeShare> codes;
     for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
-    SliceAssembly(map_, *store_, codes).run();
+    assemble(codes);
     map_.pixels_kept = map_.pixels_computed;
     map_.read_whole = true;
   }
 
   void compute() {
-    known_.assign(static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels), false);
+    known_.assign(pixel_count(), false);
     if (file_)
       file_->for_each_known([&](std::uint32_t position, short code) {
         if (code > 0 && !names_.listed(code)) return names_.avoid(code);  // computed again
@@ -301,43 +310,42 @@ class MapRun final : public PixelTaker {
   }
 
   bool compute(const std::vector<std::uint32_t>& positions) {
-    if (!start_pixels_) {
-      const auto met = file_ ? file_->discoveries() : std::vector<std::vector<double>>{};
-      start_pixels_.emplace(map_, settings_, met, *this, file_ ? &file_->notes() : nullptr);
-    }
+    if (!start_pixels_)
+      start_pixels_.emplace(map_, settings_, names_, file_.get(),
+                            [this](const auto& places, const auto& pixels) { take(places, pixels); });
     return start_pixels_->compute(positions);
   }
 
-  void discovered(const std::vector<double>& state) override {
-    if (file_) file_->append_attractor_search(state);
-  }
-
-  // A name is in the file before its first pixel.
-  short code_of_motion(const MotionName& motion) override {
-    const std::size_t before = names_.codes().size();
-    const short code = names_.code(motion);
-    if (file_ && names_.codes().size() > before) file_->append_code(names_.codes().back());
-    return code;
-  }
-
-  void take(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels) override {
-    store_->append(positions, pixels);
-    for (std::size_t k = 0; k < pixels.size(); ++k) know(positions[k], pixels[k].code);
+  void take(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels) {
+    if (file_) file_->append(positions, pixels);
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      if (!file_) held_[positions[k]] = pixels[k];
+      know(positions[k], pixels[k].code);
+    }
     if (settings_.progress) settings_.progress({known_count_, known_.size(), "pixels", {}});
   }
 
   void put_together() {
     const auto seen = names_.seen(complete_);  // a run that continues must find the codes that this one gave
-    SliceAssembly(map_, *store_, seen).run();
+    assemble(seen);
     if (file_ && file_->unfinished()) file_->finish(map_.codes, seen, complete_);
+  }
+
+  void assemble(const std::map<short, OutcomeShare>& seen) {
+    const SliceAssembly::ReadRows read_rows = [this](int first, int rows, SlicePixel* to) {
+      if (file_) return file_->read_rows(first, rows, to);
+      const auto columns = static_cast<std::size_t>(map_.x.pixels);
+      std::copy_n(&held_[static_cast<std::size_t>(first) * columns], static_cast<std::size_t>(rows) * columns, to);
+    };
+    SliceAssembly(map_, read_rows, seen).run();
   }
 
   const BasinSliceSettings& settings_;
   bool starts_ = false, complete_ = false;
   BasinSlice map_;
   io::SliceFileHeader header_;
-  std::unique_ptr<PixelStore> store_;
-  SliceStore* file_ = nullptr;  // the store, if it is a file
+  std::unique_ptr<SliceStore> file_;
+  std::vector<SlicePixel> held_;  // without a file: all, row by row
   SliceNames names_;
   std::vector<bool> known_;  // pixels, row by row
   std::uint64_t known_count_ = 0;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
@@ -121,13 +122,21 @@ Study study_at(const BasinSlice& map, int column, int row) {
   return study;
 }
 
-StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-                         PixelTaker& taker, SearchLog* notes)
-    : map_(map), options_(options), taker_(taker), session_(session_of(map, options, notes)), catalogue_(session_) {
+StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, SliceNames& names, SliceStore* file,
+                         Take take)
+    : map_(map),
+      options_(options),
+      names_(names),
+      file_(file),
+      take_(std::move(take)),
+      session_(session_of(map, options, file ? &file->notes() : nullptr)),
+      catalogue_(session_) {
   if (session_.stopped()) return;
-  if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, session_, notes);
+  if (const auto columns = lines_are_columns(map))
+    lines_.emplace(map, *columns, session_, file_ ? &file_->notes() : nullptr);
   for (const Attractor& a : catalogue_.attractors()) listed_.insert(a.id);
-  for (const std::vector<double>& state : of_family() ? std::vector<std::vector<double>>{} : met) {
+  if (!file_ || of_family()) return;
+  for (const std::vector<double>& state : file_->discoveries()) {
     const std::optional<UnlistedStart> start = session_.follow(state);
     unread_ = !start;
     if (unread_) return;
@@ -192,7 +201,7 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
     const int id = catalogue_.settle(u, chunk.fates[u.place]);
-    if (id > 0 && listed_.insert(id).second && !of_family()) taker_.discovered(u.state);
+    if (id > 0 && listed_.insert(id).second && !of_family() && file_) file_->append_attractor_search(u.state);
     if (u.motion) followed[u.place] = u.motion->r_max;
   }
   const auto first = positions.begin() + static_cast<std::ptrdiff_t>(chunk.first);
@@ -211,7 +220,15 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
     pixel.balance_growth = static_cast<float>(balance_growth(own->own.study.system()));
     pixel.balance_margin = static_cast<float>(balance_margin(own->own.study.parameters));
   }
-  taker_.take(places, pixels);
+  take_(places, pixels);
+}
+
+// A name is in the file before its first pixel.
+short StartPixels::code_of_motion(const MotionName& motion) {
+  const std::size_t before = names_.codes().size();
+  const short code = names_.code(motion);
+  if (file_ && names_.codes().size() > before) file_->append_code(names_.codes().back());
+  return code;
 }
 
 SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed) {
@@ -221,7 +238,7 @@ SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fa
   const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
   if (!a) return pixel;
   const auto [code, fresh] = codes_.try_emplace(a->id);
-  if (fresh) code->second = taker_.code_of_motion({a->name, a->alias, a->id < first_free_id ? a->id : 0});
+  if (fresh) code->second = code_of_motion({a->name, a->alias, a->id < first_free_id ? a->id : 0});
   pixel.code = code->second;
   pixel.r_max = followed ? static_cast<float>(*followed) : own ? fate.radius : static_cast<float>(a->motion.r_max);
   return pixel;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include "equipoise/analyses/basin_slices/line_motions.hpp"
+#include "equipoise/analyses/basin_slices/slice_names.hpp"
+#include "equipoise/analyses/basin_slices/slice_store.hpp"
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
@@ -31,24 +34,16 @@ InitialState start_at(const BasinSlice& map, int column, int row);
 /// The study of a pixel. Throws InputError if it is invalid.
 Study study_at(const BasinSlice& map, int column, int row);
 
-/// Takes what pixels come to. Called by one thread at a time.
-class PixelTaker {
- public:
-  virtual ~PixelTaker() = default;
-  /// A state on a motion that is new to the map, before the pixels that came to it.
-  virtual void discovered(const std::vector<double>& state) = 0;
-  /// The code of a motion, before the pixels that have it.
-  virtual short code_of_motion(const MotionName& motion) = 0;
-  virtual void take(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels) = 0;
-};
-
 /// Decides the pixels of a slice as basin() decides its starts.
 class StartPixels {
  public:
-  /// Finds the attractors. `map`: its study must have a horizon. `met`: states on motions that earlier runs met; these
-  /// are listed first. `notes` may be null.
-  StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-              PixelTaker& taker, SearchLog* notes);
+  /// Takes what pixels come to. Called by one thread at a time.
+  using Take = std::function<void(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels)>;
+
+  /// Finds the attractors, after listing the motions that earlier runs met. `map`: its study must have a horizon.
+  /// `names` receives the motions of pixels. `file`, if not null, keeps names and states on motions that are new to it
+  /// before the pixels that came to them.
+  StartPixels(const BasinSlice& map, const RunOptions& options, SliceNames& names, SliceStore* file, Take take);
 
   /// Computes pixels at these positions and passes them on in this order. False if stopped before all were done.
   bool compute(const std::vector<std::uint32_t>& positions);
@@ -59,16 +54,19 @@ class StartPixels {
   FamilyStart family_start(std::uint32_t position) const;
   bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk);
+  short code_of_motion(const MotionName& motion);
   // `own`: given if rotors differ between pixels. `followed`: the largest r, if the start was followed for it.
   SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed);
 
   const BasinSlice& map_;
   const RunOptions& options_;
-  PixelTaker& taker_;
+  SliceNames& names_;
+  SliceStore* const file_;
+  const Take take_;
   const Session session_;
   RunCatalogue catalogue_;
   std::optional<LineMotions> lines_;  // where lines have one rotor
-  bool unread_ = false;               // stopped before all of `met` were listed
+  bool unread_ = false;               // stopped before the motions that the file names were listed
   std::set<int> listed_;              // attractors known beforehand, or already listed
   std::map<int, short> codes_;        // of attractors
 };

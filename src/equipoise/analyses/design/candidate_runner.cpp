@@ -63,12 +63,10 @@ class CandidateRunner {
     AttractorSearchCache searches;
     std::map<std::string, bool> balances;  // by attractor_search_subject(): whether a balanced state attracts
   };
-  bool stopped() const { return is_set(options_.stop); }
-  bool balances(const Study& study, Met& met) const;
+  bool balances(const Study& study, const StopFlag* stop, Met& met) const;
   std::optional<DesignSample> run(const WantedSample& wanted, const BlockWorkers& workers, Met& met) const;
 
   const DesignProblem& problem_;
-  const RunOptions& options_;
   // Of the study as it is: where the searches of all candidates begin.
   std::vector<std::vector<double>> warm_start_states_;
   WarmStartLevels warm_start_levels_;
@@ -78,8 +76,7 @@ class CandidateRunner {
 
 // The study's search is made again by every run: what a file keeps are answers. Rotors that each start draws have
 // searches of their own.
-CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions& options)
-    : problem_(problem), options_(options) {
+CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions& options) : problem_(problem) {
   const Study study = problem_.study_of({}, problem_.first_look(), problem_.study().sampling.seed);
   if (!study.uncertain.empty() || runs_below_resonance(study)) return;
   BasinOptions run;
@@ -94,11 +91,11 @@ CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions&
       warm_start_states_.emplace_back(state.data(), state.data() + state.size());
 }
 
-bool CandidateRunner::balances(const Study& study, Met& met) const {
+bool CandidateRunner::balances(const Study& study, const StopFlag* stop, Met& met) const {
   const std::string subject = attractor_search_subject(study);
   if (const auto at = met.balances.find(subject); at != met.balances.end()) return at->second;
-  const bool stable = analyse_balanced(study.system(), options_.stop).stable;
-  if (!stopped()) met.balances.emplace(subject, stable);
+  const bool stable = analyse_balanced(study.system(), stop).stable;
+  if (!is_set(stop)) met.balances.emplace(subject, stable);
   return stable;
 }
 
@@ -126,18 +123,15 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, con
     return none;
   }
   const bool hopeless_unbalanced = !problem_.by_outcome() || (problem_.requires_balance() && !study->speed.driven());
-  if (hopeless_unbalanced && (runs_below_resonance(*study) || (study->uncertain.empty() && !balances(*study, met)))) {
-    if (stopped()) return std::nullopt;
+  if (hopeless_unbalanced &&
+      (runs_below_resonance(*study) || (study->uncertain.empty() && !balances(*study, workers.stop, met)))) {
+    if (is_set(workers.stop)) return std::nullopt;
     return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
   }
   if (met.searches.made.size() > most_attractor_searches) met.searches.made.clear();
   if (met.balances.size() > most_attractor_searches) met.balances.clear();
   BasinOptions run;
-  run.threads = workers.threads;
-  if (workers.idle) run.search_threads = workers.threads + workers.idle();
-  run.help = workers.help;
-  run.stop = options_.stop;
-  run.stop_asked = options_.stop_asked;
+  workers.work_on(run);
   run.transients = problem_.transients();
   run.without_balls = false;
   run.keep_starts = true;
@@ -180,7 +174,7 @@ CellRecord WantedSample::record() const {
   return {text.begin(), text.end()};
 }
 
-Survey candidate_survey(const DesignProblem& problem, const RunOptions& options) {
+Survey design_survey(const DesignProblem& problem, const RunOptions& options) {
   return
       [runner = std::make_shared<CandidateRunner>(problem, options)](std::size_t number, const BlockWorkers& workers) {
         const CellRecord asked = workers.known(number);

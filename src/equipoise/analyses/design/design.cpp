@@ -38,10 +38,7 @@ constexpr std::uint64_t most_starts = 100'000, fewest_starts_of_cheap = 500;
 class DesignRun {
  public:
   DesignRun(const DesignProblem& problem, const DesignOptions& options)
-      : problem_(problem),
-        options_(options),
-        standing_(problem.figures(), problem.objectives(), problem.limits()),
-        own_(problem.as_it_is()) {
+      : problem_(problem), options_(options), standing_(problem), own_(problem.as_it_is()) {
     result_.study = problem.study();
     result_.variables = problem.variables();
     for (const FigureSource& f : problem.figures()) result_.figures.push_back(f.figure);
@@ -310,10 +307,6 @@ class DesignRun {
 };
 
 }  // namespace
-
-Survey design_survey(const DesignProblem& problem, const DesignOptions& options) {
-  return candidate_survey(problem, options);
-}
 
 DesignResult design(const DesignProblem& problem, const DesignOptions& options) {
   const ChosenCpuTarget chosen(options.cpu_target);

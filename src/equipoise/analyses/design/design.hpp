@@ -17,8 +17,9 @@ struct DesignOptions : SurveyOptions {
   std::function<bool()> search_time_over;
 };
 
-/// For other processes of a job: a block is a candidate.
-Survey design_survey(const DesignProblem& problem, const DesignOptions& options);
+/// A block is a candidate: what is known of it is what is wanted (WantedSample), what is made of it the ensemble
+/// (KeptSample, unnamed). Searches the study as it is before it returns, with the threads and stop flag of `options`.
+Survey design_survey(const DesignProblem& problem, const RunOptions& options);
 
 /// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
 /// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The

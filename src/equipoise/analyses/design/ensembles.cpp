@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 #include <utility>
 
 #include "equipoise/analyses/design/search.hpp"
@@ -13,14 +12,9 @@ namespace equipoise {
 DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const DesignOptions& options, io::CellFile* file,
                                  KeptSamples kept)
     : SurveyRun(options), search_time_(options.search_time_over), kept_(std::move(kept)) {
-  candidate_options_.threads = options.threads;
-  candidate_options_.stop = options.stop;
-  if (search_time_) candidate_options_.stop_asked = [this] { return out_of_time(); };
-  open(candidate_survey(problem, candidate_options_), file);
-}
-
-std::optional<std::size_t> DesignEnsembles::next_block() {
-  return out_of_time() ? std::nullopt : SurveyRun::next_block();
+  // Candidates end with the search's time, so that a costly one cannot take the time of the checks as well.
+  if (search_time_) out_of_time_ = [this] { return out_of_time(); };
+  open(design_survey(problem, options), file);
 }
 
 CellRecord DesignEnsembles::record(std::size_t number) const {
@@ -41,11 +35,6 @@ const DesignSample* DesignEnsembles::sample(const WantedSample& wanted) const {
   return at == samples_.end() ? nullptr : &at->second;
 }
 
-bool DesignEnsembles::all_answered() const {
-  const std::lock_guard guard(taking_);
-  return std::find(answers_.begin(), answers_.end(), std::nullopt) == answers_.end();
-}
-
 std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& wanted) {
   std::vector<std::optional<DesignSample>> there(wanted.size());
   std::vector<std::size_t> missing;
@@ -64,9 +53,10 @@ std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& 
     answers_ = std::move(there);
   }
   work(std::move(missing));
-  constexpr std::chrono::milliseconds until_a_look{1};
-  while (!all_answered() && !stopped() && !out_of_time()) std::this_thread::sleep_for(until_a_look);
-  const std::lock_guard guard(taking_);
+  constexpr std::chrono::milliseconds until_a_look{20};  // between checks for a stop, which wakes no thread
+  std::unique_lock lock(taking_);
+  while (std::find(answers_.begin(), answers_.end(), std::nullopt) != answers_.end() && !stopped() && !out_of_time())
+    delivered_.wait_for(lock, until_a_look);
   asked_ += wanted.size();
   batch_.clear();
   std::vector<DesignSample> samples;

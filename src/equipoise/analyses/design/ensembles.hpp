@@ -26,10 +26,6 @@ struct WantedSample {
   CellRecord record() const;
 };
 
-/// A block is a question: what is known of it is what is wanted, what is made of it the ensemble (KeptSample,
-/// unnamed). Searches the study as it is before it returns.
-Survey candidate_survey(const DesignProblem& problem, const RunOptions& options);
-
 /// What a design's search asks is asked again in the same order by another run of it: the number of a question names
 /// its answer in the file. One thread asks; other processes may help to answer.
 class DesignEnsembles final : public SurveyRun {
@@ -58,17 +54,11 @@ class DesignEnsembles final : public SurveyRun {
   /// time would be of no use.
   bool out_of_time() const { return searching_ && some_known_ && search_time_ && search_time_(); }
 
-  std::optional<std::size_t> next_block() override;
-
  private:
   CellRecord record(std::size_t number) const override;
   CellRecord take(std::size_t number, const CellRecord& made) override;
-  bool all_answered() const;
 
   std::function<bool()> search_time_;
-  // For candidates: they also end when the search has had its time, so that one costly candidate cannot take the time
-  // of the checks as well.
-  RunOptions candidate_options_;
   std::atomic<bool> searching_{true}, some_known_{false};
   KeptSamples kept_;
   std::map<std::string, DesignSample> samples_;  // by name

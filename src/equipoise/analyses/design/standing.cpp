@@ -17,10 +17,6 @@ constexpr double largest_violation = 1e6;
 
 }  // namespace
 
-DesignStanding::DesignStanding(const std::vector<FigureSource>& figures, const std::vector<std::size_t>& objectives,
-                               const std::vector<DesignLimit>& limits)
-    : figures_(figures), objectives_(objectives), limits_(limits) {}
-
 // `up`: whether the good side is the upper one.
 double DesignStanding::at(const DesignSample& sample, std::size_t figure, bool up, Side side) const {
   const DesignEstimate& e = sample.figures[figure];
@@ -54,18 +50,18 @@ double DesignStanding::violation(const DesignLimit& limit, const DesignSample& s
 }
 
 double DesignStanding::violation(const DesignSample& sample, Side side) const {
-  if (sample.figures.empty()) return largest_violation * static_cast<double>(limits_.size() + 1);
+  if (sample.figures.empty()) return largest_violation * static_cast<double>(problem_.limits().size() + 1);
   double sum = 0.0;
-  for (const DesignLimit& limit : limits_) sum += violation(limit, sample, side);
+  for (const DesignLimit& limit : problem_.limits()) sum += violation(limit, sample, side);
   return sum;
 }
 
 std::vector<double> DesignStanding::goals(const DesignSample& sample, Side side) const {
   std::vector<double> goals;
-  for (const std::size_t k : objectives_) {
+  for (const std::size_t k : problem_.objectives()) {
     if (sample.figures.empty()) goals.push_back(worst_goal);
     if (sample.figures.empty()) continue;
-    const bool up = figures_[k].figure.up;
+    const bool up = problem_.figures()[k].figure.up;
     const double value = at(sample, k, up, side);
     goals.push_back(std::isnan(value) ? worst_goal : std::clamp(up ? -value : value, -worst_goal, worst_goal));
   }
@@ -74,7 +70,7 @@ std::vector<double> DesignStanding::goals(const DesignSample& sample, Side side)
 
 std::vector<double> DesignStanding::worth(const DesignSample& sample) const {
   const double missed = violation(sample, Side::worst);
-  if (missed > 0.0) return std::vector<double>(objectives_.size(), first_violation * (1.0 + missed));
+  if (missed > 0.0) return std::vector<double>(problem_.objectives().size(), first_violation * (1.0 + missed));
   return goals(sample, Side::doubtful);
 }
 
@@ -127,7 +123,7 @@ std::size_t DesignStanding::middle(const std::vector<const DesignSample*>& sampl
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < all.size(); ++k) {
     double distance = 0.0;
-    for (std::size_t g = 0; g < objectives_.size(); ++g) {
+    for (std::size_t g = 0; g < problem_.objectives().size(); ++g) {
       double low = all[0][g], high = all[0][g];
       for (const auto& one : all) low = std::min(low, one[g]), high = std::max(high, one[g]);
       const double part = high > low ? (all[k][g] - low) / (high - low) : 0.0;

@@ -15,8 +15,7 @@ enum class Side { estimate, hopeful, doubtful, worst };
 
 class DesignStanding {
  public:
-  DesignStanding(const std::vector<FigureSource>& figures, const std::vector<std::size_t>& objectives,
-                 const std::vector<DesignLimit>& limits);
+  explicit DesignStanding(const DesignProblem& problem) : problem_(problem) {}
 
   /// Sum of the amounts by which limits are missed, relative to the limits; 0: none is.
   double violation(const DesignSample& sample, Side side) const;
@@ -37,9 +36,7 @@ class DesignStanding {
  private:
   double at(const DesignSample& sample, std::size_t figure, bool up, Side side) const;
 
-  const std::vector<FigureSource>& figures_;
-  const std::vector<std::size_t>& objectives_;
-  const std::vector<DesignLimit>& limits_;
+  const DesignProblem& problem_;
 };
 
 }  // namespace equipoise

@@ -20,7 +20,7 @@
 namespace equipoise {
 
 class Catalogue;
-class ChunkHelp;
+class OpenEnsembles;
 class SearchLog;
 struct AttractorSearchCache;
 
@@ -54,8 +54,8 @@ struct BasinOptions : RunOptions {
   double search_serves = many_starts;                  ///< starts (AttractorSearchSettings)
   const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of the neighbour's trapping regions, or null
   int search_threads = 0;                              ///< for the attractor search; 0: as `threads`
-  ChunkHelp* help = nullptr;   ///< threads that help to decide starts (analyses/ensembles/chunks.hpp), or null
-  SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
+  OpenEnsembles* help = nullptr;  ///< threads that help to decide starts (analyses/ensembles/chunks.hpp), or null
+  SearchLog* notes = nullptr;     ///< the search log, or null; a run with `output` keeps it in that file instead
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive runs with the same final speed; results do
                                              ///< not depend on it
   /// Called for every counted start in index order, stored ones included; from any thread, but one at a time.

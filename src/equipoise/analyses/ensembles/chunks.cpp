@@ -95,12 +95,46 @@ void ChunkQueue::pass_on(std::unique_lock<std::mutex>& lock) {
   passing_ = false;
 }
 
+void OpenEnsembles::open(ChunkQueue& queue) {
+  const std::lock_guard guard(mutex_);
+  open_.push_back(&queue);
+}
+
+void OpenEnsembles::close(ChunkQueue& queue) {
+  std::unique_lock lock(mutex_);
+  std::erase(open_, &queue);
+  left_.wait(lock, [&] { return inside_[&queue] == 0; });
+  inside_.erase(&queue);
+}
+
+bool OpenEnsembles::help() {
+  struct Inside {
+    OpenEnsembles& all;
+    ChunkQueue& queue;
+    std::unique_lock<std::mutex>& lock;
+    ~Inside() {
+      lock.lock();
+      --all.inside_[&queue];
+      all.left_.notify_all();
+    }
+  };
+  std::unique_lock lock(mutex_);
+  for (std::size_t tries = open_.size(); tries > 0 && !open_.empty(); --tries) {
+    ChunkQueue& queue = *open_[turn_++ % open_.size()];
+    ++inside_[&queue];
+    lock.unlock();
+    const Inside leaving{*this, queue, lock};
+    if (queue.work_off(false)) return true;
+  }
+  return false;
+}
+
 namespace {
 
 // Makes helpers leave before the queue is destroyed.
 class Opened {
  public:
-  Opened(ChunkHelp* help, ChunkQueue& queue) : help_(help), queue_(queue) {
+  Opened(OpenEnsembles* help, ChunkQueue& queue) : help_(help), queue_(queue) {
     if (help_) help_->open(queue_);
   }
   ~Opened() {
@@ -110,7 +144,7 @@ class Opened {
   Opened& operator=(const Opened&) = delete;
 
  private:
-  ChunkHelp* help_;
+  OpenEnsembles* help_;
   ChunkQueue& queue_;
 };
 

@@ -47,20 +47,28 @@ class ChunkSize {
 
 class ChunkQueue;
 
-/// Threads of other work that decide chunks of running ensembles. Thread-safe.
-class ChunkHelp {
+/// Ensembles at work in this process, whose starts idle threads help to decide. Callable from any thread.
+class OpenEnsembles {
  public:
-  virtual ~ChunkHelp() = default;
   /// They may work off the queue's chunks until close() returns, which waits for those being decided.
-  virtual void open(ChunkQueue& queue) = 0;
-  virtual void close(ChunkQueue& queue) = 0;
+  void open(ChunkQueue& queue);
+  void close(ChunkQueue& queue);
+  /// Decides a chunk of one of them. False if none is available now.
+  bool help();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable left_;
+  std::vector<ChunkQueue*> open_;
+  std::map<ChunkQueue*, int> inside_;  // helpers at work
+  std::size_t turn_ = 0;               // they are helped in turn
 };
 
 struct ChunkWork {
   std::function<bool(Chunk&)> decide;  ///< fills a chunk in; thread-safe; false if stopped early
   int threads = 1;
   const StopFlag* stop = nullptr;
-  ChunkHelp* help = nullptr;
+  OpenEnsembles* help = nullptr;  ///< its idle threads; or null
 };
 
 /// Gets complete chunks in index order; false if no more are wanted.

@@ -193,13 +193,7 @@ class CapacityRun final : public SurveyRun {
   CapacityRun(const SweepPlan& plan, const CapacityOptions& options)
       : SurveyRun(options), plan_(plan), options_(options), known_(plan.cells()) {
     result_.study = plan.study();
-    result_.key = options.key;
-    result_.unit = options.unit;
-    result_.from = options.from;
-    result_.to = options.to;
-    result_.precision = options.precision;
-    result_.at_least = options.at_least;
-    result_.by = options.by;
+    static_cast<CapacityQuestion&>(result_) = options;
     result_.starts = plan.study().sampling.starts;
     result_.axes = plan.axes();
     result_.cells.resize(plan.cells());

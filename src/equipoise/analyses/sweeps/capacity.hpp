@@ -11,14 +11,9 @@
 
 namespace equipoise {
 
-struct CapacityOptions : SurveyOptions {
-  std::string key;              ///< as in --set
-  std::string unit;             ///< of quantities; empty for plain numbers
-  double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
-  std::string of = "of";        ///< names the key in errors
-  double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
-  std::string by = "balanced";  ///< CapacityResult::by; the plan has to gather transients for all others
-  double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
+/// The plan has to gather transients unless `by` is "balanced".
+struct CapacityOptions : SurveyOptions, CapacityQuestion {
+  std::string of = "of";  ///< names the key in errors
 };
 
 /// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a
@@ -41,10 +36,6 @@ std::vector<std::string> unbalances_in_proportion(const SweepPlan& plan, double 
 /// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
 std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option);
 
-struct CapacityRange {
-  double from = 0.0, to = 0.0;
-  std::string unit;
-};
 /// The range as written, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
 /// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can cancel,
 /// over all cells. `option` names it in errors. Throws InputError.

@@ -11,9 +11,10 @@
 
 namespace equipoise {
 
-class ChunkHelp;
+class OpenEnsembles;
 class SearchLog;
 class SurveyRun;
+struct BasinOptions;
 
 /// What is kept of a cell and sent between processes (results/cell_files/sweep_cells.hpp). Empty: nothing.
 using CellRecord = std::vector<std::uint8_t>;
@@ -21,12 +22,16 @@ using CellRecord = std::vector<std::uint8_t>;
 /// Who works on a block, and where its cells come from and go to. No result depends on it.
 struct BlockWorkers {
   int threads = 1;
-  std::function<int()> idle{};  ///< threads that have nothing else to do when a cell's search begins; empty: none
-  ChunkHelp* help = nullptr;    ///< idle threads, which decide starts of its cells; or null
+  std::function<int()> idle{};    ///< threads that have nothing else to do when a cell's search begins; empty: none
+  OpenEnsembles* help = nullptr;  ///< idle threads, which decide starts of its cells; or null
   const StopFlag* stop = nullptr;
+  std::function<bool()> stop_asked{};                                  ///< the same by polling; empty: never
   SearchLog* notes = nullptr;                                          ///< of searches, or null
   std::function<CellRecord(std::size_t cell)> known{};                 ///< what was made of a cell earlier
   std::function<void(std::size_t cell, const CellRecord&)> deliver{};  ///< takes what is new
+
+  /// Puts them to work on a cell's ensemble.
+  void work_on(BasinOptions& ensemble) const;
 };
 
 /// What any process of a job can compute of it: what is not known of a block's cells. False if stopped. Refers to what

@@ -6,47 +6,23 @@
 #include <thread>
 #include <utility>
 
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/core/running/parallel.hpp"
 
 namespace equipoise {
 
-void OpenEnsembles::open(ChunkQueue& queue) {
-  const std::lock_guard guard(mutex_);
-  open_.push_back(&queue);
-}
-
-void OpenEnsembles::close(ChunkQueue& queue) {
-  std::unique_lock lock(mutex_);
-  std::erase(open_, &queue);
-  left_.wait(lock, [&] { return inside_[&queue] == 0; });
-  inside_.erase(&queue);
-}
-
-bool OpenEnsembles::help() {
-  struct Inside {
-    OpenEnsembles& all;
-    ChunkQueue& queue;
-    std::unique_lock<std::mutex>& lock;
-    ~Inside() {
-      lock.lock();
-      --all.inside_[&queue];
-      all.left_.notify_all();
-    }
-  };
-  std::unique_lock lock(mutex_);
-  for (std::size_t tries = open_.size(); tries > 0 && !open_.empty(); --tries) {
-    ChunkQueue& queue = *open_[turn_++ % open_.size()];
-    ++inside_[&queue];
-    lock.unlock();
-    const Inside leaving{*this, queue, lock};
-    if (queue.work_off(false)) return true;
-  }
-  return false;
+void BlockWorkers::work_on(BasinOptions& ensemble) const {
+  ensemble.threads = threads;
+  if (idle) ensemble.search_threads = threads + idle();
+  ensemble.help = help;
+  ensemble.stop = stop;
+  ensemble.stop_asked = stop_asked;
 }
 
 SurveyRun::SurveyRun(const SurveyOptions& options) : threads_(thread_count(options.threads)), options_(options) {}
 
 std::optional<std::size_t> SurveyRun::next_block() {
+  if (out_of_time_ && out_of_time_()) return std::nullopt;
   const std::lock_guard guard(taking_);
   if (stopped() || next_ >= blocks_.size()) return std::nullopt;  // without counting a block as begun
   return blocks_[next_++];
@@ -65,6 +41,7 @@ void SurveyRun::deliver(std::size_t cell, const CellRecord& made) {
   if (taken.empty()) return;
   if (file_) file_->append(cell, taken);
   kept(cell);
+  delivered_.notify_all();
 }
 
 void SurveyRun::open(Survey survey, io::CellFile* file) {
@@ -90,6 +67,7 @@ void SurveyRun::work(std::vector<std::size_t> blocks) {
                              .idle = [this] { return idle_ / std::max(1, working_.load()); },
                              .help = &ensembles_,
                              .stop = options_.stop,
+                             .stop_asked = out_of_time_,
                              .notes = file_ ? &file_->notes() : nullptr,
                              .known = [this](std::size_t cell) { return known(cell); },
                              .deliver = [this](std::size_t cell, const CellRecord& made) { deliver(cell, made); }};

@@ -7,7 +7,6 @@
 #include <exception>
 #include <functional>
 #include <future>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -19,23 +18,6 @@
 
 namespace equipoise {
 
-/// Ensembles at work in this process, whose starts idle threads help to decide. Helpers come in while a queue is open,
-/// and its owner waits for them before it goes. Callable from any thread.
-class OpenEnsembles final : public ChunkHelp {
- public:
-  void open(ChunkQueue& queue) override;
-  void close(ChunkQueue& queue) override;
-  /// Decides a chunk of one of them. False if none is available now.
-  bool help();
-
- private:
-  std::mutex mutex_;
-  std::condition_variable left_;
-  std::vector<ChunkQueue*> open_;
-  std::map<ChunkQueue*, int> inside_;  // helpers at work
-  std::size_t turn_ = 0;               // they are helped in turn
-};
-
 /// Blocks come in one batch or in several; helpers stay for all of them. Who derives from it holds the cells in memory.
 class SurveyRun {
  public:
@@ -43,7 +25,7 @@ class SurveyRun {
 
   // For helpers, from any thread.
   /// A block that nobody works on yet; none once all are given out or the work is to stop.
-  virtual std::optional<std::size_t> next_block();
+  std::optional<std::size_t> next_block();
   CellRecord known(std::size_t cell) const;
   /// It is in the file, if there is one, when this returns.
   void deliver(std::size_t cell, const CellRecord& made);
@@ -76,7 +58,9 @@ class SurveyRun {
   virtual void kept(std::size_t) {}
 
   const int threads_;
+  std::function<bool()> out_of_time_;  // ends what is at work, not the run; set before open(). Empty: never
   mutable std::mutex taking_;
+  std::condition_variable delivered_;  // a cell was taken
 
  private:
   void work_along(const BlockWorkers& workers);

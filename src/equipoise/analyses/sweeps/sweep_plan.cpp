@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
@@ -26,7 +25,7 @@ bool StudySource::states(const std::string& key) const {
   return study::parse_study_file(toml, name, overrides).root.find_path(key) != nullptr;
 }
 
-SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request,
+SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request,
                      const std::string& option)
     : source_(std::move(source)), axes_(std::move(axes)), request_(request), study_(source_.with()) {
   for (std::size_t a = 0; a < axes_.size(); ++a) {
@@ -36,9 +35,7 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Cell
   const std::size_t length = chain_length();
   lines_ = cells_ / length;
   blocks_in_line_ = (length + block_length - 1) / block_length;
-  BasinOptions options;
-  options.transients = request_.transients;
-  transients_ = gathers_transients(study_, options);
+  transients_ = gathers_transients(study_, request_);
   for (std::size_t cell = 0; cell < cells_; ++cell) {
     try {
       check_runnable(study_of(cell), transients_);
@@ -68,16 +65,11 @@ std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
 }
 
 BasinOptions SweepPlan::ensemble(const BlockWorkers& workers) const {
-  BasinOptions options;
-  options.half_width = request_.half_width;
-  options.limit_given = request_.limit_given;
+  BasinOptions options = request_;
   options.transients = transients_;
   options.without_balls = false;
-  options.threads = workers.threads;
-  if (workers.idle) options.search_threads = workers.threads + workers.idle();
-  options.help = workers.help;
-  options.stop = workers.stop;
   options.notes = workers.notes;
+  workers.work_on(options);
   return options;
 }
 

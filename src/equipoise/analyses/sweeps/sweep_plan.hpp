@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 
-struct BasinOptions;
 struct BlockWorkers;
 
 /// A study that can be read again with other values.
@@ -23,26 +23,20 @@ struct StudySource {
   bool states(const std::string& key) const;
 };
 
-/// What is wanted of every cell.
-struct CellRequest {
-  double half_width = 0.0;   ///< BasinOptions::half_width
-  bool limit_given = false;  ///< BasinOptions::limit_given
-  std::optional<bool> transients;
-};
-
 /// Cells form blocks along the axis with the most values. A search begins with what was found in the previous cell of
 /// its block, so a block is one piece of work. Blocks are independent of each other and of their order.
 class SweepPlan {
  public:
   static constexpr std::size_t block_length = 8;
 
-  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is invalid or cannot be decided.
-  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
+  /// No axes: one cell. `request`: what is wanted of every cell, half-width, limit and transients. Throws InputError,
+  /// naming `option`, if a cell's study is invalid or cannot be decided.
+  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request, const std::string& option);
 
   const Study& study() const { return study_; }
   const StudySource& source() const { return source_; }
   const std::vector<SweepAxis>& axes() const { return axes_; }
-  const CellRequest& request() const { return request_; }
+  const BasinOptions& request() const { return request_; }
   /// Whether transients are gathered: in all cells or none.
   bool transients() const { return transients_; }
 
@@ -63,7 +57,7 @@ class SweepPlan {
 
   StudySource source_;
   std::vector<SweepAxis> axes_;
-  CellRequest request_;
+  BasinOptions request_;
   Study study_;
   bool transients_ = false;
   std::size_t cells_ = 1, chain_ = 0, lines_ = 1, blocks_in_line_ = 1;

@@ -59,13 +59,22 @@ struct OpenCapacity {
   std::size_t trials = 0;
 };
 
-struct CapacityResult : RunInfo {
-  Study study;
-  std::string key, unit;  ///< the key requested, and the unit of its values
-  double from = 0.0, to = 0.0, precision = 0.0;
-  double at_least = 0.95;
+struct CapacityRange {
+  double from = 0.0, to = 0.0;  ///< from < to
+  std::string unit = {};        ///< of quantities; empty for plain numbers
+};
+
+/// What is sought in every cell, within a range.
+struct CapacityQuestion : CapacityRange {
+  std::string key;              ///< as in --set
+  double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
   std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name
-  std::uint64_t starts = 0;     ///< of each ensemble
+  double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
+};
+
+struct CapacityResult : RunInfo, CapacityQuestion {
+  Study study;
+  std::uint64_t starts = 0;  ///< of each ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep
   std::vector<std::optional<OpenCapacity>> open;   ///< for cells that were begun and not finished
