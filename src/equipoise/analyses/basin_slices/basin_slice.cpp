@@ -25,12 +25,10 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -243,8 +241,7 @@ class MapRun {
   }
 
   void prepare() {
-    map_.threads = thread_count(settings_.threads);
-    map_.cpu_target = cpu_target();
+    note_machine(map_, settings_);
     starts_ = maps_starts(map_);
     if (starts_) {
       map_.study = with_horizon(map_.study);
@@ -357,8 +354,7 @@ class MapRun {
 
 BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings) {
   check_has_balls(study);
-  const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, [&](const BasinSliceSettings& s) { return MapRun(study, s).run(); });
+  return long_call(settings, [&](const BasinSliceSettings& s) { return MapRun(study, s).run(); });
 }
 
 }  // namespace equipoise

@@ -11,9 +11,8 @@
 
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -82,8 +81,7 @@ class Continuation {
     result_.key = line_.key();
     result_.step = line_.step();
     result_.starts = starts_;
-    result_.threads = threads_;
-    result_.cpu_target = cpu_target();
+    note_machine(result_, options_);
     result_.took(clock.time());
     return std::move(result_);
   }
@@ -335,8 +333,7 @@ class Continuation {
 }  // namespace
 
 BranchesResult follow_attractors(const Study& study, const ParameterLine& line, const ContinuationOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const ContinuationOptions& o) { return Continuation(study, line, o).run(); });
+  return long_call(options, [&](const ContinuationOptions& o) { return Continuation(study, line, o).run(); });
 }
 
 }  // namespace equipoise

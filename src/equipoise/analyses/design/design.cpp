@@ -13,11 +13,9 @@
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/design/standing.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/cell_files/design_file.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 
 namespace equipoise {
@@ -51,8 +49,7 @@ class DesignRun {
     result_.held_out_seed = (result_.search_seed + 1'000'003) & 0x7fffffffffffffff;
     result_.identity = problem.identity();
     result_.proposed = problem.proposed();
-    result_.threads = thread_count(options.threads);
-    result_.cpu_target = cpu_target();
+    note_machine(result_, options);
   }
 
   DesignResult run() {
@@ -309,8 +306,7 @@ class DesignRun {
 }  // namespace
 
 DesignResult design(const DesignProblem& problem, const DesignOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const DesignOptions& o) { return DesignRun(problem, o).run(); });
+  return long_call(options, [&](const DesignOptions& o) { return DesignRun(problem, o).run(); });
 }
 
 }  // namespace equipoise

@@ -27,12 +27,11 @@
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
-#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -50,8 +49,7 @@ class BasinRun {
         searches_(options.searches ? *options.searches : own_searches_) {
     result_.study = study;
     if (study.speed.driven()) passed_speed_ = study.passed_speed();
-    result_.threads = threads_;
-    result_.cpu_target = cpu_target();
+    note_machine(result_, options);
     result_.half_width = options.half_width;
     if (options.keep_starts) result_.every_start.emplace();
     result_.own_starts = !options.initial.empty();
@@ -384,8 +382,7 @@ class BasinRun {
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue,
                   WarmStartLevels* warm_start_levels) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const BasinOptions& o) {
+  return long_call(options, [&](const BasinOptions& o) {
     if (study.parameters.balls == 0) return bare_basin(study, o);
     BasinRun run(study, o);
     BasinResult result = run.run();

@@ -7,8 +7,7 @@
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
-#include "equipoise/core/running/reporting.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -47,8 +46,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
 }  // namespace
 
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
+  return long_call(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
 }
 
 }  // namespace equipoise

@@ -17,7 +17,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/run_info.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 
@@ -154,8 +154,7 @@ BasinResult bare_basin(const Study& study, const BasinOptions& options) {
   BasinResult result;
   result.study = as_sampled(study);
   const Sampler sampler = sampler_of(result.study);
-  result.threads = thread_count(options.threads);
-  result.cpu_target = cpu_target();
+  note_machine(result, options);
   result.note = "there are no balls";
   if (options.keep_starts) result.every_start.emplace();
   const OneBodyTask task{result.study, sampler, 0, {}, result.threads, options.stop};

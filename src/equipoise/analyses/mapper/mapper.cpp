@@ -17,8 +17,7 @@
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
@@ -81,8 +80,7 @@ struct Mapper::State {
 };
 
 Mapper::Mapper(const Study& study, const MapperOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  state_ = reported(options, [&](const MapperOptions& o) {
+  state_ = long_call(options, [&](const MapperOptions& o) {
     check_runnable(study, o.transients);
     return std::make_unique<State>(study, o);
   });
@@ -103,8 +101,7 @@ Fate Mapper::operator()(const InitialState& start) const {
 
 std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, const RunOptions& options) const {
   check_states(state_->study, starts);
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const RunOptions& o) {
+  return long_call(options, [&](const RunOptions& o) {
     const auto decide = [&](Chunk& c) { return state_->session.decide({&starts[c.first], c.count}, c); };
     std::vector<Fate> fates;
     take_chunks({.decide = decide, .threads = thread_count(o.threads), .stop = o.stop}, 0, starts.size(),

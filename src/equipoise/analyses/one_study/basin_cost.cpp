@@ -7,9 +7,8 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/deadline.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -23,8 +22,7 @@ constexpr double enough = 0.5;  // seconds of CPU on starts
 }  // namespace
 
 BasinCost measure_cost(const Study& asked, const RunOptions& options, double patience) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const RunOptions& o) {
+  return long_call(options, [&](const RunOptions& o) {
     const bool gathers = gathers_transients(asked, {});
     check_runnable(asked, gathers);
     const Study study = as_sampled(asked);

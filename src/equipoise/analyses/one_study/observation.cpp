@@ -10,11 +10,10 @@
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 #include "equipoise/study/sampling/starts.hpp"
 
@@ -91,8 +90,7 @@ template <class SourceWith>
 Observation observed(const Study& study, const ObservationSettings& settings, const SourceWith& source) {
   check_offers(study, model::ResultKind::displacements);
   check_settings(study, settings);
-  const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, [&](const ObservationSettings& s) { return observe_from(study, source(s.stop), s); });
+  return long_call(settings, [&](const ObservationSettings& s) { return observe_from(study, source(s.stop), s); });
 }
 
 }  // namespace

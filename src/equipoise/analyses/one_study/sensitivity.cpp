@@ -9,8 +9,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -108,8 +107,7 @@ void check_sensitivity(const Study& study) {
 
 SensitivityResult sensitivity(const Study& study, const SensitivityOptions& options) {
   check_sensitivity(study);
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const SensitivityOptions& o) { return PickFreeze(study, o).run(study); });
+  return long_call(options, [&](const SensitivityOptions& o) { return PickFreeze(study, o).run(study); });
 }
 
 }  // namespace equipoise

@@ -21,11 +21,10 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/cell_files/capacity_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/study/toml/overrides.hpp"
 #include "equipoise/study/units/units.hpp"
 
@@ -200,8 +199,7 @@ class CapacityRun final : public SurveyRun {
     result_.open.resize(plan.cells());
     const double halvings = std::ceil(std::log2(1.0 / (scan * options.precision)));
     result_.most_trials = plan.cells() * (scan + 1 + 3 * static_cast<std::uint64_t>(std::max(halvings, 0.0)));
-    result_.threads = threads_;
-    result_.cpu_target = cpu_target();
+    note_machine(result_, options);
   }
 
   ~CapacityRun() override { dismiss(); }
@@ -361,8 +359,7 @@ CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
   const std::vector<std::string> goals = capacity_goals(plan.study());
   if (std::find(goals.begin(), goals.end(), options.by) == goals.end())
     reject("by", options.by, fmt::format("must be one of: {}", fmt::join(goals, ", ")));
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
+  return long_call(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
 }
 
 }  // namespace equipoise

@@ -14,13 +14,12 @@
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/cell_files/sweep_file.hpp"
 #include "equipoise/results/types/warm_start_levels.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -99,8 +98,7 @@ class SweepRun final : public SurveyRun {
     result_.cells.resize(plan.cells());
     result_.half_width = plan.request().half_width;
     result_.transients = plan.transients();
-    result_.threads = threads_;
-    result_.cpu_target = cpu_target();
+    note_machine(result_, options);
   }
   ~SweepRun() override { dismiss(); }
 
@@ -171,8 +169,7 @@ SweepResult sweep(const SweepPlan& plan, const SweepOptions& options) {
   if (options.shards < 1 || options.shard >= options.shards)
     throw InputError("sweep", "shard", fmt::format("{} of {}", options.shard, options.shards),
                      "must be less than the number of shards");
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const SweepOptions& o) { return SweepRun(plan, o).run(); });
+  return long_call(options, [&](const SweepOptions& o) { return SweepRun(plan, o).run(); });
 }
 
 }  // namespace equipoise

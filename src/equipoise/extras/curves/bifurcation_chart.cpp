@@ -2,11 +2,10 @@
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/extras/curves/curve_starts.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -43,7 +42,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
 BifurcationChart bifurcation_chart(const Study& given, const ChartSettings& settings) {
   const Study study = with_medians(given);
   check_offers(study, model::ResultKind::curves);
-  return reported(settings, [&](const ChartSettings& s) { return computed_chart(study, s); });
+  return long_call(settings, [&](const ChartSettings& s) { return computed_chart(study, s); });
 }
 
 }  // namespace equipoise
