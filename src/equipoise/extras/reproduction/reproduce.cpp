@@ -15,10 +15,9 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -247,9 +246,6 @@ ReproduceOptions options_for(const std::vector<std::string>& what) {
   return options;
 }
 
-Reproduction reproduce(const ReproduceOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, whole_paper);
-}
+Reproduction reproduce(const ReproduceOptions& options) { return long_call(options, whole_paper); }
 
 }  // namespace equipoise

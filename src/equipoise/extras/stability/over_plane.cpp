@@ -10,11 +10,10 @@
 
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/running/parallel.hpp"
-#include "equipoise/core/running/reporting.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
-#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
 
@@ -127,8 +126,7 @@ StabilityPlane computed(const PlaneStudies& studies, const RunOptions& settings)
   plane.study = studies.study();
   plane.x = studies.x();
   plane.y = studies.y();
-  plane.threads = thread_count(settings.threads);
-  plane.cpu_target = cpu_target();
+  note_machine(plane, settings);
   const std::size_t points = static_cast<std::size_t>(plane.x.pixels) * static_cast<std::size_t>(plane.y.pixels);
   plane.points.resize(points);
   std::mutex telling;
@@ -170,8 +168,7 @@ StabilityPlane stability(const Study& given, const StabilitySettings& settings) 
 }
 
 StabilityPlane stability(const PlaneStudies& studies, const RunOptions& options) {
-  const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [&](const RunOptions& o) { return computed(studies, o); });
+  return long_call(options, [&](const RunOptions& o) { return computed(studies, o); });
 }
 
 }  // namespace equipoise
