@@ -43,12 +43,7 @@ const StudyValue::Table& table_of(const StudyFile& file, const std::string& name
 FigureSource read_figure(const StudyFile& file, const std::string& where, const StudyValue* value,
                          const std::string& name, const Study& study, const std::vector<DesignVariable>& variables) {
   std::string problem;
-  if (auto source = figure_source(name, study, variables, problem)) {
-    if (source->kind == FigureSource::Kind::variable)
-      if (const StudyValue* own = file.root.find_path(source->key))
-        source->own = number_in_unit(*own, source->figure.unit);
-    return *source;
-  }
+  if (const auto source = figure_source(name, study, file.root, variables, problem)) return *source;
   throw InputError(file.where("design", value), where, name, problem);
 }
 
@@ -182,16 +177,16 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
 }
 
 bool DesignProblem::transients() const {
-  return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.needs_transients(); });
+  return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.transients; });
 }
 
 bool DesignProblem::by_outcome() const {
-  return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.by_outcome(); });
+  return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.by_outcome; });
 }
 
 bool DesignProblem::requires_balance() const {
   return std::any_of(limits_.begin(), limits_.end(), [&](const DesignLimit& l) {
-    return figures_[l.figure].kind == FigureSource::Kind::balanced && l.above && *l.above > 0.0;
+    return figures_[l.figure].figure.name == "balanced" && l.above && *l.above > 0.0;
   });
 }
 

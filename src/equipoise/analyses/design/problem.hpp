@@ -1,15 +1,15 @@
 // A study's [design], read and checked: variables, figures, objectives, requirements; and candidates as studies.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
-#include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 #include "equipoise/results/commands/design_result.hpp"
 #include "equipoise/study/units/units.hpp"
@@ -29,38 +29,21 @@ std::string proposed_design(const StudySource& source);
 /// "acceleration" of the prescribed speed (less is better), or a number that is varied: "-balancer.mass" if less of it
 /// is better, "balancer.mass" if more is.
 struct FigureSource {
-  enum class Kind {
-    balanced,
-    passed,
-    limits_kept,
-    transient,
-    time_to_balance,
-    ball_mass,
-    spin_up_time,
-    acceleration,
-    variable
-  };
-  Kind kind = Kind::balanced;
-  std::size_t column = 0;        ///< of transient_figures
-  Within within = Within::both;  ///< of limits_kept
-  double quantile = 0.0;
-  std::string key;  ///< of the variable
-  /// Its value in the original study, in the variable's unit; NaN: unknown.
-  double own = std::numeric_limits<double>::quiet_NaN();
-  std::optional<study::Dimension> dimension;
+  /// Its value from the ensemble of a candidate, which ran with keep_starts. Empty: it needs no start.
+  std::function<DesignEstimate(const BasinResult& basin)> measured;
+  /// Then its value from the candidate's study and settings.
+  std::function<double(const Study& candidate, const std::vector<DesignSetting>& settings)> stated;
+  bool transients = false;                    ///< whether it needs statistics of transients
+  bool by_outcome = false;                    ///< whether starts must be followed where no balanced state attracts
+  std::optional<study::Dimension> dimension;  ///< of these values, in the candidate's units
   DesignFigure figure;
-
-  /// Whether starts must be followed where no balanced state attracts.
-  bool by_outcome() const { return needs_transients() || kind == Kind::time_to_balance || kind == Kind::passed; }
-  bool needs_transients() const { return kind == Kind::transient || kind == Kind::limits_kept; }
 };
 
-/// If the name is invalid, `problem` says why: "must be ...".
-std::optional<FigureSource> figure_source(const std::string& name, const Study& study,
+/// `tree`: the study's, which states the variables' own values. If the name is invalid, `problem` says why: "must be
+/// ...".
+std::optional<FigureSource> figure_source(const std::string& name, const Study& study, const StudyValue& tree,
                                           const std::vector<DesignVariable>& variables, std::string& problem);
 
-/// The unit's name; empty for a study without units.
-std::string figure_unit(const Study& study, std::optional<study::Dimension> dimension);
 /// One of the figure's unit as a dimensionless number.
 double unit_in_study(const Study& study, std::optional<study::Dimension> dimension);
 
