@@ -81,7 +81,7 @@ CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions&
   if (!study.uncertain.empty() || runs_below_resonance(study)) return;
   BasinOptions run;
   run.threads = thread_count(options.threads);
-  run.stop = options_.stop;
+  run.stop = options.stop;
   run.transients = false;
   run.search_serves = starts_of_a_first_look;
   Catalogue catalogue;
