@@ -31,7 +31,7 @@ std::vector<double> parse_state(const std::string& text, int balls) {
   std::vector<double> state;
   const std::size_t size = 4 + 2 * static_cast<std::size_t>(balls);
   const std::string allowed = fmt::format("{} numbers separated by commas: x,y,u,v, ball angles, ball rates", size);
-  for (const std::string& part : parts_of(text))
+  for (const std::string& part : parts_of(text, ','))
     state.push_back(option_number<double>("--state", part, -1e6, 1e6, allowed.c_str()));
   if (state.size() != size) throw InputError("--state", "", text, "must be " + allowed);
   return state;

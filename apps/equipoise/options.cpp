@@ -20,16 +20,6 @@
 
 namespace equipoise::app {
 
-std::vector<std::string> parts_of(const std::string& list) {
-  std::vector<std::string> parts(1);
-  for (const char c : list)
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
                    const char* allowed) {
   const auto unit = study::unit_of(study, study::Dimension::time);

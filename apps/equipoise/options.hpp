@@ -47,9 +47,6 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
                    const char* allowed);
 
-/// What stands between the commas of a list.
-std::vector<std::string> parts_of(const std::string& list);
-
 /// A value of an enumeration by its name, given as an option; `names` are in the order of the values.
 template <class Enumeration, class Names>
 Enumeration option_choice(const char* option, const std::string& text, const Names& names) {

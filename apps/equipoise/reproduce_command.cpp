@@ -38,7 +38,7 @@ struct ReproduceArguments : CommonArguments {
 std::vector<std::string> split(const std::vector<std::string>& what) {
   std::vector<std::string> names;
   for (const std::string& list : what)
-    for (const std::string& name : parts_of(list))
+    for (const std::string& name : parts_of(list, ','))
       if (!name.empty() || list.empty()) names.push_back(name);
   return names;
 }

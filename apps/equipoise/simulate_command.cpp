@@ -34,7 +34,7 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
     std::vector<double> times;
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
-      for (const std::string& time : parts_of(text)) times.push_back(time_option("--at", time, study));
+      for (const std::string& time : parts_of(text, ',')) times.push_back(time_option("--at", time, study));
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
         throw InputError("--at", "", fmt::format("{}", times[i]),

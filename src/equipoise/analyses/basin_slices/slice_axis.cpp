@@ -68,8 +68,8 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
                                           : unit       ? "1.5:6, or two quantities with units"
                                                        : "1.5:6");
   const auto reject = [&](const std::string& problem) { throw InputError(option, key, display_text(range), problem); };
-  const std::size_t colon = range.find(':');
-  if (colon == std::string::npos || range.find(':', colon + 1) != std::string::npos) reject(allowed);
+  const std::vector<std::string> ends = parts_of(range, ':');
+  if (ends.size() != 2) reject(allowed);
   const auto read = [&](const std::string& text) {
     if (const auto angle = part_of_pi(text)) return *angle;
     const study::GivenValue given = study::read_given(text, unit);
@@ -84,8 +84,8 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
     reject((unit ? given.problem + "; " : std::string()) + allowed);
     return given.value;
   };
-  axis.low = read(range.substr(0, colon));
-  axis.high = read(range.substr(colon + 1));
+  axis.low = read(ends[0]);
+  axis.high = read(ends[1]);
   if (!(axis.low < axis.high)) reject(allowed);
   return axis;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/stepped_values.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
@@ -64,13 +65,11 @@ void ParameterLine::parse(const std::string& text, const std::string& where) {
   key_ = text.substr(0, equals);
   std::vector<double> parts;
   const auto unit = study::unit_of(study_, key_);
-  for (std::size_t at = equals + 1; at <= text.size();) {
-    const std::size_t colon = std::min(text.find(':', at), text.size());
-    const study::GivenValue part = study::read_given(text.substr(at, colon - at), unit);
+  for (const std::string& given : parts_of(text.substr(equals + 1), ':')) {
+    const study::GivenValue part = study::read_given(given, unit);
     if (!part.problem.empty() || !std::isfinite(part.value))
       reject((unit ? part.problem + "; " : std::string()) + line_form);
     parts.push_back(part.value);
-    at = colon + 1;
   }
   if (parts.size() != 3) reject(line_form);
   const std::string table = key_.substr(0, key_.find('.'));

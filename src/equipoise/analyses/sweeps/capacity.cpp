@@ -322,9 +322,9 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
                      "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
                      "0.001:0.1 or \"20 g mm:400 g mm\"");
   };
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
-  const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
+  const std::vector<std::string> given = parts_of(text, ':');
+  if (given.size() != 2) reject();
+  const SweepParameter ends = sweep_parameter(key + "=" + given[0] + "," + given[1], option);
   if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
   return {ends.values[0], ends.values[1], ends.unit};
 }

@@ -20,21 +20,6 @@ constexpr char axis_form[] =
     "must be KEY=FROM:TO:STEP or KEY=A,B,C in numbers, e.g. speed.final=1.5:6:0.1, or in quantities of one unit, e.g. "
     "\"speed.final=900 rpm:4000 rpm:100 rpm\"";
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.push_back(trimmed(text.substr(at, end - at)));
-    at = end + 1;
-  }
-  return parts;
-}
-
 bool has_repeats(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return std::adjacent_find(values.begin(), values.end()) != values.end();
@@ -47,16 +32,17 @@ SweepParameter sweep_parameter(const std::string& text, const std::string& optio
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) reject(axis_form);
   SweepParameter parameter;
-  parameter.key = trimmed(text.substr(0, equals));
+  parameter.key = trimmed(std::string_view(text).substr(0, equals));
   const std::string list = text.substr(equals + 1);
   const bool range = list.find(':') != std::string::npos;
   std::vector<double> numbers;
-  for (const std::string& part : parts_of(list, range ? ':' : ',')) {
+  for (const std::string& given : parts_of(list, range ? ':' : ',')) {
+    const std::string_view part = trimmed(given);
     double& value = numbers.emplace_back();
     const char* end = part.data() + part.size();
     const auto read = read_number(part.data(), end, value);
     if (read.error != std::errc() || !std::isfinite(value)) reject(axis_form);
-    const std::string unit = trimmed(std::string(read.end, end));
+    const std::string unit(trimmed({read.end, static_cast<std::size_t>(end - read.end)}));
     if (numbers.size() == 1) parameter.unit = unit;
     if (unit != parameter.unit)
       reject(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", parameter.unit, unit));

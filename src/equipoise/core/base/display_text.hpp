@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace equipoise {
 
@@ -25,6 +26,17 @@ inline std::size_t display_width(std::string_view text) {
 inline std::string_view trimmed(std::string_view text, std::string_view blanks = " ") {
   const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
   return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+/// What stands between the separators, one part or more.
+inline std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
 }
 
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does.
