@@ -188,7 +188,7 @@ std::optional<FigureSource> variable_source(const std::string& name, const Study
                                [&](const DesignVariable& v) { return v.key == key && !v.spin_up && v.prefix.empty(); });
   if (at == variables.end()) return std::nullopt;
   source.figure.unit = at->unit;
-  // Of the study as it is; NaN: unknown.
+  // The value in the study as it is; NaN: unknown.
   const StudyValue* written = tree.find_path(key);
   const double own = written ? number_in_unit(*written, at->unit) : std::numeric_limits<double>::quiet_NaN();
   source.stated = [key, own](const Study&, const std::vector<DesignSetting>& settings) {
