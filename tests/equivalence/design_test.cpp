@@ -127,7 +127,7 @@ TEST(Design, LeavesTheBalancerOutBelowTheCriticalSpeed) {
     EXPECT_TRUE(result.leave_out && result.front.empty() && !result.chosen && !result.partial);
     EXPECT_EQ(result.trajectories, 0u);
     EXPECT_LT(result.cpu_seconds, 2.0);
-    EXPECT_TRUE(result_text(result).starts_with("verdict  Leave the balancer out: the rotor runs "));
+    EXPECT_TRUE(result_text(result).starts_with("verdict   Leave the balancer out: the rotor runs "));
   }
   const DesignResult faster = design(problem_of(slow + "\"speed.final\" = [\"420 rpm\", \"1800 rpm\"]\n" + require));
   EXPECT_FALSE(faster.leave_out);
