@@ -14,7 +14,7 @@ import tempfile
 import time
 
 from program import (
-    DRIVE, EASY, PROGRAM, ROW, STUDIES, Case, answer, interrupted, main, run, slow, started, with_xarray)
+    DRIVE, EASY, PROGRAM, ROW, STUDIES, WASHER, Case, answer, interrupted, main, run, slow, started, with_xarray)
 
 # What xarray finds in a file: everything, what has no words, and what concerns the run rather than its result.
 XARRAY = """
@@ -61,6 +61,18 @@ class Basin(Case):
         self.assertLessEqual(len(short.splitlines()), 25, short)
         for word in ("answer ", "balanced", "co-drifting (V1)", "95 % interval", "1000 runs, seed 1", "--details"):
             self.assertIn(word, short)
+
+    def test_a_machine_has_its_answer_on_one_screen(self):
+        few = ("basin", WASHER, "--starts", "60", "--no-changes")
+        text = run(*few, "--quiet").stdout
+        self.assertLessEqual(len(text.splitlines()), 25, text)
+        self.assertRegex(" ".join(text.split()), r"verdict Change the design: [\d.]+ % of runs exceed the 15 mm limit on peak "
+                         r"displacement during start-up \(.*\); at most 5 % may\. At full speed every run meets the limits\. why ")
+        self.assertRegex(text, r"\nbalanced +100 % \(above")
+        found = answer(*few)
+        alone = found["without_balls"]["no_balls"]["figures"]["peak_radial"]["value"]
+        median, ninety = (q["value"] for q in found["transients"]["groups"][0]["figures"]["peak_radial"]["quantiles"][:2])
+        self.assertRegex(text, rf"  peak displacement +15 mm +{alone:.3g} mm +{median:.3g} mm +{ninety:.3g} mm  OVER\n")
 
     def test_says_that_stated_angles_are_drawn_all_the_same(self):
         stated = [*EASY[1:], "--starts", "200", "--quiet", "--set", "initial.phi=[0, 0]"]
