@@ -101,7 +101,7 @@ const std::vector<CommandGroup>& command_groups() {
 
 namespace {
 
-constexpr std::size_t column = 30;  // where descriptions of options begin
+constexpr std::size_t description_column = 30;  // where descriptions of options begin
 
 // Options in the order in which help lists them. One that is not listed belongs to "Advanced".
 struct OptionGroup {
@@ -136,8 +136,8 @@ std::string left_of(const CLI::Option& option) {
 
 std::string described(const CLI::Option& option) {
   const std::string left = "  " + left_of(option);
-  const std::string blank(column, ' ');
-  const bool apart = left.size() + 2 > column;
+  const std::string blank(description_column, ' ');
+  const bool apart = left.size() + 2 > description_column;
   return (apart ? left + "\n" : "") +
          filled(apart ? blank : left + blank.substr(left.size()), option.get_description(), TextStyle());
 }
