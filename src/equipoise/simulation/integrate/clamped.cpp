@@ -1,12 +1,16 @@
-// Integration of the clamped basis over the spin-up's segments.
+// Integration of the clamped basis over the spin-up's segments, and of one body up to its release.
 #include "equipoise/simulation/integrate/clamped.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/simulation/integrate/first_time.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/machine/model/held_state.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 
 namespace equipoise {
@@ -55,6 +59,35 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
     for (int solution = 0; solution < 3; ++solution) model::apply_speed_jump(jump, basis.values.data() + 4 * solution);
   }
   return IntegrationStatus::done;
+}
+
+std::optional<double> find_release(const model::System& system, double speed, bool rising, double from, double to,
+                                   double* state) {
+  using Flow = kernels::HeldFlow<double>;
+  const int place = model::held_layout(system).speed;
+  const auto come = [&](const double* y) { return rising ? y[place] >= speed : y[place] <= speed; };
+  kernels::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = 1e-10;  // only a step or two are taken, so a tight one costs nothing
+  scale.floor.fill(1.0);
+  for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().motion_scale();
+  scale.angle.fill(true);  // lanes detect divergence
+  scale.absolute.fill(true);
+  const Flow flow(system);
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
+  std::optional<double> found;
+  const auto look = [&](double begin, double end, auto&& state_at) {
+    double y[Flow::dimension];
+    const auto first = first_time(begin, end, [&](double t) {
+      state_at(t, y);
+      return come(y);
+    });
+    if (!first) return end;
+    found = first;  // the step is cut here, and the crossing is looked up again
+    // The integrator stops only at times before the step's end.
+    return std::fmin(*first, std::nextafter(end, begin));
+  };
+  integrator.advance(from, to, state, look);
+  return found;
 }
 
 }  // namespace equipoise

@@ -1,14 +1,17 @@
-// Spin-up with the balls held: three linear solutions serve every start of an ensemble.
+// Spin-up with the balls held: three linear solutions serve every start of an ensemble. Under a motor each start is
+// followed by itself, and its release is located.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/machine/model/parameters.hpp"
+#include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/types/status.hpp"
 
 namespace equipoise {
@@ -32,5 +35,11 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
                                     const std::vector<double>& times = {}, const ClampedObserver& observe = {},
                                     double until = std::numeric_limits<double>::infinity(),
                                     const StopFlag* stop = nullptr);
+
+/// Follows `state` (machine/model/held_state.hpp) of a driven rotor in double precision from `from` until psi' reaches
+/// `speed`, `rising` to it or falling, but at most to `to`. Empty if it does not reach it, or is lost. `state` ends at
+/// the returned time, else at `to`.
+std::optional<double> find_release(const model::System& system, double speed, bool rising, double from, double to,
+                                   double* state);
 
 }  // namespace equipoise

@@ -76,10 +76,7 @@ struct OwnRotorStart {
 
 /// As SpinUp::follow(), each start in the units of its own study; fills SpunUp::rotors. The last systems must fit
 /// together (simulation/batch/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
-bool spin_up_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+bool spin_up_own_rotors(std::span<const OwnRotorStart> given, const StopFlag* stop, SpunUp& starts,
                         TransientTable* transients = nullptr);
-/// The same where all are driven; `spun` and `transients` have room for all.
-bool spin_up_motors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
-                    TransientTable* transients);
 
 }  // namespace equipoise

@@ -31,6 +31,13 @@ namespace {
 
 }  // namespace
 
+SpinUp::SpinUp(const Study& study, const StopFlag* stop) : study_(study), sampler_(sampler_of(study)), stop_(stop) {}
+
+bool SpinUp::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                  TransientTable* transients) const {
+  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
+}
+
 StartSource::StartSource(const Study& study, const StopFlag* stop)
     : StartSource(study, model::segments(study.speed_profile(), study.release_time()), stop) {}
 

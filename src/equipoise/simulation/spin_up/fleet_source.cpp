@@ -1,24 +1,22 @@
-// Takes driven rotors on lanes through their drive, first with balls clamped, then free.
+// Takes rotors on lanes through their drive piece by piece, first with balls clamped, then free: starts that share a
+// driven rotor, and starts that have rotors of their own.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "equipoise/machine/drives/full_state.hpp"
+#include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/mechanics/gravity_well.hpp"
 #include "equipoise/machine/model/held_state.hpp"
-#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/simulation/integrate/adaptive-inl.hpp"
-#include "equipoise/simulation/integrate/first_time.hpp"
+#include "equipoise/simulation/integrate/clamped.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
@@ -48,40 +46,6 @@ ReleaseRule release_rule_of(const model::Parameters& p, const model::Drive& driv
   return rule;
 }
 
-// Follows `state` (machine/model/held_state.hpp) in double precision from `from` until the rotor reaches
-// rule.release_speed, but at most to `to`. Empty if it does not reach it, or is lost. `state` ends at the returned
-// time, else at `to`.
-std::optional<double> find_release(const model::System& system, const ReleaseRule& rule, double from, double to,
-                                   double* state) {
-  using Flow = HWY_NAMESPACE::HeldFlow<double>;
-  const int place = model::held_layout(system).speed;
-  const auto come = [&](const double* y) {
-    return rule.rising ? y[place] >= rule.release_speed : y[place] <= rule.release_speed;
-  };
-  HWY_NAMESPACE::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = 1e-10;  // only a step or two are taken, so a tight one costs nothing
-  scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().motion_scale();
-  scale.angle.fill(true);  // lanes detect divergence
-  scale.absolute.fill(true);
-  const Flow flow(system);
-  HWY_NAMESPACE::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
-  std::optional<double> found;
-  const auto look = [&](double begin, double end, auto&& state_at) {
-    double y[Flow::dimension];
-    const auto first = first_time(begin, end, [&](double t) {
-      state_at(t, y);
-      return come(y);
-    });
-    if (!first) return end;
-    found = first;  // the step is cut here, and the crossing is looked up again
-    // The integrator stops only at times before the step's end.
-    return std::fmin(*first, std::nextafter(end, begin));
-  };
-  integrator.advance(from, to, state, look);
-  return found;
-}
-
 struct Machine {
   explicit Machine(const Study& given)
       : study(given),
@@ -93,12 +57,33 @@ struct Machine {
     if (study.numerics.decide == ClassificationMode::horizon) release_rule.windows.at_horizon = true;
   }
 
+  bool prescribed() const { return drive.pieces.front().prescribed; }
   double settled() const { return drive.pieces.back().begin; }
+  model::Segment segment(std::size_t k) const {
+    const model::DrivePiece& piece = drive.pieces[k];
+    if (piece.prescribed) return piece.motion(piece.begin < drive.release_time);
+    return {piece.begin, 1e300, 0.0, piece.speed, 0.0, false};
+  }
   OwnRotor rotor(std::size_t k) const {
-    OwnRotor rotor = own_rotor(systems[k]);
-    rotor.segment.begin = drive.pieces[k].begin;
-    rotor.end = k + 1 < systems.size() ? drive.pieces[k].end : settled() + horizon;
-    return rotor;
+    return {systems[k], segment(k), k + 1 < systems.size() ? drive.pieces[k].end : settled() + horizon};
+  }
+  // Starts of one shape run side by side.
+  auto shape() const {
+    const auto held = std::count_if(drive.pieces.begin(), drive.pieces.end(), [&](const model::DrivePiece& piece) {
+      return piece.prescribed && piece.begin < drive.release_time;
+    });
+    return std::tuple(systems.size(), held, clamped_at_first, drive.release_speed.has_value(), release_rule.rising);
+  }
+  // Takes a state at the end of piece k, not the last, into the next.
+  void cross(std::size_t k, double* state) const {
+    if (!prescribed()) return;
+    const double jump = drive.pieces[k + 1].speed - segment(k).speed_at(drive.pieces[k].end);
+    model::apply_speed_jump(jump, state);
+    if (const int tilt = systems[k].layout().tilt; tilt >= 0) model::apply_speed_jump(jump, state + tilt);
+  }
+  // Whether the release alone separates piece k from the next.
+  bool goes_on(std::size_t k) const {
+    return prescribed() && drive.pieces[k].acceleration == drive.pieces[k + 1].acceleration;
   }
 
   Study study;
@@ -115,14 +100,12 @@ struct Fleet {
   TransientTable* transients;
   const std::vector<std::size_t>& members;
   const Machine& one;         // the first member's
-  bool own;                   // each has its own
   std::vector<char> clamped;  // of all starts
-  std::size_t size;
 
-  double* state(std::size_t i) const { return &starts.states[i * size]; }
+  double* state(std::size_t i) const { return &starts.states[i * one.systems.front().dimension()]; }
   void let_go(std::size_t i, double time) {
     clamped[i] = 0;
-    starts.released[i] = time;
+    if (!starts.released.empty()) starts.released[i] = time;
   }
   template <class Wanted>
   std::vector<std::size_t> which(Wanted&& wanted) const {
@@ -133,12 +116,13 @@ struct Fleet {
   }
 };
 
-// Takes a start of a driven rotor from its index to its state in the last piece of the drive. Balls still clamped at
-// the horizon are not followed further.
-class MotorSource final : public SpinUp {
+// Takes starts to their states in the last piece of the drive. Balls of a driven rotor that are still clamped at the
+// horizon are not followed further.
+class FleetSource final : public SpinUp {
  public:
-  MotorSource(const Study& study, const StopFlag* stop)
-      : MotorSource(std::vector<Machine>{Machine(study)}, false, stop) {}
+  // Of one driven rotor.
+  FleetSource(const Study& study, const StopFlag* stop)
+      : FleetSource(std::vector<Machine>{Machine(study)}, false, stop) {}
 
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const override {
     std::vector<std::size_t> all(given.size());
@@ -150,27 +134,29 @@ class MotorSource final : public SpinUp {
 
   BatchTask last_task() const override { return task(machines_.front(), machines_.front().systems.size() - 1); }
 
-  static bool follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+  static bool follow_own_rotors(std::span<const OwnRotorStart> given, const StopFlag* stop, SpunUp& starts,
                                 TransientTable* transients) {
-    using Shape = std::tuple<std::size_t, bool, bool, bool>;
-    std::map<Shape, std::vector<std::size_t>> groups;
+    std::map<decltype(std::declval<Machine>().shape()), std::vector<std::size_t>> groups;
     std::vector<Machine> machines;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      const Machine& m = machines.emplace_back(starts[i].study);
-      groups[{m.systems.size(), m.clamped_at_first, m.drive.release_speed.has_value(), m.release_rule.rising}]
-          .push_back(i);
-      spun.rotors[i] = m.rotor(m.systems.size() - 1);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Machine& m = machines.emplace_back(given[i].study);
+      groups[m.shape()].push_back(i);
+      starts.rotors.push_back(m.rotor(m.systems.size() - 1));
     }
-    const MotorSource source(std::move(machines), true, stop);
+    const FleetSource source(std::move(machines), true, stop);
     source.begin(
-        starts.size(), [&](std::size_t i) { return starts[i].start; }, spun, transients);
+        given.size(), [&](std::size_t i) { return given[i].start; }, starts, transients);
     return std::all_of(groups.begin(), groups.end(), [&](const auto& group) {
-      return !is_set(stop) && source.advance(group.second, spun, transients);
+      if (is_set(stop)) return false;
+      const Machine& one = source.of(group.second.front());
+      const bool alone = one.prescribed() && one.clamped_at_first && (transients || one.systems.front().tilts());
+      return alone ? source.follow_each(given, group.second, starts, transients)
+                   : source.advance(group.second, starts, transients);
     });
   }
 
  private:
-  MotorSource(std::vector<Machine> machines, bool own, const StopFlag* stop)
+  FleetSource(std::vector<Machine> machines, bool own, const StopFlag* stop)
       : SpinUp(machines.front().study, stop), machines_(std::move(machines)), own_(own) {}
 
   const Machine& of(std::size_t i) const { return machines_[own_ ? i : 0]; }
@@ -182,7 +168,7 @@ class MotorSource final : public SpinUp {
     double* state = &*starts.states.end() - system.dimension();
     initial_state(start, system.balls(), machine.drive.speed, state, system.layout().tilt);
     if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
-    state[system.layout().speed] = machine.drive.speed;
+    if (system.layout().speed >= 0) state[system.layout().speed] = machine.drive.speed;
     if (system.layout().error >= 0) state[system.layout().error] = 0.0;
   }
 
@@ -192,32 +178,55 @@ class MotorSource final : public SpinUp {
     starts.states.clear();
     for (std::size_t i = 0; i < count; ++i) add(of(i), start_at(i), starts);
     starts.begins.assign(count, 0.0);
-    starts.released.assign(count, 0.0);
     starts.fates.assign(count, Fate{});
+    if (transients) transients->rows.assign(count, TransientSums{});
+    if (of(0).prescribed()) return;
+    starts.released.assign(count, 0.0);
     starts.over.assign(count, 0);
     starts.nearest.resize(count);
     for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
-    if (transients) transients->rows.assign(count, TransientSums{});
+  }
+
+  // One rotor after the other: at a prescribed speed transients of held balls come from superposition, and held balls
+  // load a tilting rotor by a couple too.
+  bool follow_each(std::span<const OwnRotorStart> given, const std::vector<std::size_t>& members, SpunUp& starts,
+                   TransientTable* transients) const {
+    for (const std::size_t i : members) {
+      StartSource source(given[i].study, stop_);
+      TransientTable table;
+      if (transients) table.settings = transients->own[i];
+      if (transients) source.watch(table.settings);
+      SpunUp one;
+      if (!source.follow({&given[i].start, 1}, one, transients ? &table : nullptr)) return false;
+      std::copy(one.states.begin(), one.states.end(), &starts.states[i * one.states.size()]);
+      starts.fates[i] = one.fates.front();
+      starts.begins[i] = of(i).settled();
+      if (transients) transients->rows[i] = table.rows.front();
+    }
+    return true;
   }
 
   bool advance(const std::vector<std::size_t>& members, SpunUp& starts, TransientTable* transients) const {
     if (members.empty()) return true;
     const Machine& one = of(members.front());
-    const auto size = static_cast<std::size_t>(one.systems.front().dimension());
-    Fleet fleet{starts, transients, members, one, own_, std::vector<char>(starts.size(), one.clamped_at_first), size};
+    Fleet fleet{starts, transients, members, one, std::vector<char>(starts.size(), one.clamped_at_first)};
     for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
       if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
-      const bool last = k + 1 == one.drive.pieces.size();
-      if (!last && !run_free(k, fleet)) return false;
-      if (!last && transients)
-        for (const std::size_t i : members) transients->rows[i].work.end_piece();
+      if (k + 1 == one.drive.pieces.size()) break;
+      const auto free =
+          fleet.which([&](std::size_t i) { return !fleet.clamped[i] && starts.begins[i] < of(i).drive.pieces[k].end; });
+      if (!free.empty() && !finish_piece(k, false, free, fleet)) return false;
+      for (const std::size_t i : members) {
+        of(i).cross(k, fleet.state(i));
+        if (transients && !of(i).goes_on(k)) transients->rows[i].work.end_piece();
+      }
     }
     return true;
   }
 
   BatchTask task(const Machine& machine, std::size_t k) const {
     BatchTask task = batch_task(machine.systems[k]);
-    task.segment.begin = machine.drive.pieces[k].begin;
+    task.segment = machine.segment(k);
     task.end = machine.drive.pieces[k].end;
     task.tolerance = machine.study.numerics.tolerance.value_or(default_basin_tolerance);
     task.stop = stop_;
@@ -229,10 +238,10 @@ class MotorSource final : public SpinUp {
     const Machine& one = fleet.one;
     ReleaseRule rule = one.release_rule;
     for (const std::size_t i : places)
-      if (fleet.own) rule.own_speeds.push_back(of(i).release_rule.release_speed);
+      if (own_) rule.own_speeds.push_back(of(i).release_rule.release_speed);
     if (!one.drive.release_speed || k + 1 < one.systems.size())
       rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-    else if (!fleet.own)  // the trapping region knows only one release speed
+    else if (!own_)  // the trapping region knows only one release speed
       rule.windows.section.regions = regions_by(
           [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
             return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
@@ -245,47 +254,77 @@ class MotorSource final : public SpinUp {
     return std::min({m.drive.pieces[k].end, m.drive.release_time, m.settled() + m.horizon});
   }
 
-  // Runs these starts side by side over piece k; false if stopped early.
-  template <class Run>
-  bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, std::vector<double>& states,
-                    const Fleet& fleet, Run&& run) const {
+  // Runs these starts side by side over piece k, and calls end(j, state) for each in the order of `places`. False if
+  // stopped early.
+  template <class Run, class End>
+  bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, const Fleet& fleet, Run&& run,
+                    End&& end) const {
     BatchTask task = this->task(fleet.one, k);
+    task.held = held;
+    if (held) task.system = &fleet.one.systems[k];
+    const auto size = static_cast<std::size_t>(task.dimension());
+    std::vector<double> states(places.size() * size);
+    // Clamped balls at a prescribed speed cost little to follow, and the state at release decides much.
+    constexpr double held_tolerance = 1e-3;
+    if (held && fleet.one.prescribed()) task.tolerance *= held_tolerance;
     if (held) task.end = until(places.front(), k);
     std::vector<double> begins;
     std::vector<OwnRotor> rotors;
     TransientTable table;
     if (fleet.transients) table = fleet.transients->part(places);
-    for (const std::size_t i : places) {
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      const std::size_t i = places[j];
+      if (held)
+        model::hold_balls(of(i).systems[k], fleet.state(i), &states[j * size]);
+      else
+        std::copy_n(fleet.state(i), size, &states[j * size]);
       begins.push_back(fleet.starts.begins[i]);
-      if (fleet.own) rotors.push_back(of(i).rotor(k));
-      if (fleet.own && held) rotors.back().end = until(i, k);
+      if (own_) rotors.push_back(of(i).rotor(k));
+      if (own_ && held) rotors.back().end = until(i, k);
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     if (fleet.transients) task.transients = &table;
-    task.held = held;
     task.take(states, own, begins);
     if (!run(task)) return false;
     if (fleet.transients) fleet.transients->put_back(places, table);
+    for (std::size_t j = 0; j < places.size(); ++j) end(j, &states[j * size]);
     return true;
+  }
+
+  // Takes these starts to the end of piece k, where those that are not lost arrive.
+  bool finish_piece(std::size_t k, bool held, const std::vector<std::size_t>& places, const Fleet& fleet) const {
+    std::vector<Fate> fates(places.size());
+    for (std::size_t j = 0; j < places.size(); ++j) fates[j].met = fleet.starts.fates[places[j]].met;
+    return side_by_side(
+        k, held, places, fleet, [&](BatchTask& task) { return advance_batch(task, fates); },
+        [&](std::size_t j, const double* state) {
+          const std::size_t i = places[j];
+          if (held)
+            model::release_balls(of(i).systems[k], state, fleet.state(i));
+          else
+            std::copy_n(state, of(i).systems[k].dimension(), fleet.state(i));
+          fleet.starts.begins[i] = of(i).drive.pieces[k].end;
+          fleet.starts.fates[i] = fates[j];
+        });
   }
 
   // Follows clamped balls over piece k of the drive, until their release.
   bool follow_clamped(std::size_t k, Fleet& fleet) const {
-    const std::size_t size = model::held_layout(fleet.one.systems[k]).size;
     SpunUp& starts = fleet.starts;
     for (;;) {
       const auto places =
           fleet.which([&](std::size_t i) { return fleet.clamped[i] && starts.begins[i] < until(i, k); });
       if (places.empty()) break;
+      if (fleet.one.prescribed()) {
+        if (!finish_piece(k, true, places, fleet)) return false;
+        continue;
+      }
       const ReleaseRule rule = rule_over(k, places, fleet);
-      std::vector<double> states(places.size() * size);
-      for (std::size_t j = 0; j < places.size(); ++j)
-        model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
       std::vector<ClampedEnd> ends(places.size());
-      if (!side_by_side(k, true, places, states, fleet,
-                        [&](BatchTask& task) { return follow_clamped_batch(task, rule, ends); }))
+      if (!side_by_side(
+              k, true, places, fleet, [&](BatchTask& task) { return follow_clamped_batch(task, rule, ends); },
+              [&](std::size_t j, double* state) { end_clamped(k, places[j], ends[j], state, fleet); }))
         return false;
-      for (std::size_t j = 0; j < places.size(); ++j) end_clamped(k, places[j], ends[j], &states[j * size], fleet);
     }
     // Releases balls whose release time comes by the end of this piece.
     for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.clamped[i] != 0; }))
@@ -299,7 +338,7 @@ class MotorSource final : public SpinUp {
     const ReleaseRule& rule = m.release_rule;
     double now = end.fate.time;
     if (end.crossing) {
-      const auto release = find_release(m.systems[k], rule, now, end.crossed_by, state);
+      const auto release = find_release(m.systems[k], rule.release_speed, rule.rising, now, end.crossed_by, state);
       now = release.value_or(end.crossed_by);
       if (release) fleet.let_go(i, now);
     }
@@ -325,51 +364,21 @@ class MotorSource final : public SpinUp {
     starts.over[i] = 1;
   }
 
-  // Follows free balls over piece k of the drive, not the last.
-  bool run_free(std::size_t k, Fleet& fleet) const {
-    SpunUp& starts = fleet.starts;
-    const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
-    const auto places = fleet.which([&](std::size_t i) { return !fleet.clamped[i] && starts.begins[i] < end(i); });
-    if (places.empty()) return true;
-    std::vector<double> states;
-    std::vector<Fate> fates(places.size());
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      const double* state = fleet.state(places[j]);
-      states.insert(states.end(), state, state + fleet.size);
-      fates[j].met = starts.fates[places[j]].met;
-    }
-    if (!side_by_side(k, false, places, states, fleet, [&](BatchTask& task) { return advance_batch(task, fates); }))
-      return false;
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      const std::size_t i = places[j];
-      std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));
-      starts.begins[i] = end(i);
-      starts.fates[i] = fates[j];
-    }
-    return true;
-  }
-
   std::vector<Machine> machines_;
   bool own_;  // each start has its own machine, else all share one
 };
 
 }  // namespace
 
-SpinUp::SpinUp(const Study& study, const StopFlag* stop) : study_(study), sampler_(sampler_of(study)), stop_(stop) {}
-
-bool SpinUp::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                  TransientTable* transients) const {
-  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
-}
-
-bool spin_up_motors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
-                    TransientTable* transients) {
-  return MotorSource::follow_own_rotors(starts, stop, spun, transients);
-}
-
 std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop) {
-  if (study.speed.driven()) return std::make_unique<MotorSource>(study, stop);
+  if (study.speed.driven()) return std::make_unique<FleetSource>(study, stop);
   return std::make_unique<StartSource>(study, stop);
+}
+
+bool spin_up_own_rotors(std::span<const OwnRotorStart> given, const StopFlag* stop, SpunUp& starts,
+                        TransientTable* transients) {
+  starts = {};
+  return given.empty() || FleetSource::follow_own_rotors(given, stop, starts, transients);
 }
 
 }  // namespace equipoise
