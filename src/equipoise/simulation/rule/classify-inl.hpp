@@ -98,7 +98,7 @@ class ClassifyFate {
       if (!verdict.attractor && rule_.continuum.regions && rule_.continuum.regions->ask(z, 0.0, own(slot)).attractor)
         verdict.attractor = balanced_id;
       if constexpr (angle_known)
-        if (rule_.section.regions)
+        if (!verdict.attractor && rule_.section.regions)
           verdict.attractor = rule_.section.regions->ask(z, angle(slot, t, z), own(slot)).attractor;
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
