@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/decided_watch.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
@@ -177,10 +178,10 @@ struct Fading {
     return s;
   }
   TransientRow left(const TransientSettings& asked, const KnownEnd& end) const {
-    TransientWatch watch(asked);
+    DecidedWatch watch(asked);
     watch.begin(at(0.0));
     for (double t = 0.0; !watch.may_leave() && t < 5000.0; t += 0.5) {
-      watch.step({at(t + 0.5 / 3), at(t + 0.3), at(t + 0.5)});
+      watch.step_to(t + 0.5, [&](double now) { return at(now); });
       if (t == 9.5) watch.decided(end);
     }
     return transient_row(asked, watch.sums(), false, end.figures);

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/decided_watch.hpp"
 #include "equipoise/results/types/transient_table.hpp"
-#include "equipoise/simulation/transients/transient_watch.hpp"
 
 namespace equipoise {
 namespace end_figures_test {
@@ -18,7 +18,7 @@ struct Left {
 // A decided trajectory whose centre goes round at speed 1 and the radius r(t): when its figures count as settled.
 Left left_at(const std::function<double(double)>& radius) {
   TransientSettings settings;
-  TransientWatch watch(settings);
+  DecidedWatch watch(settings);
   const auto sample = [&](double t) {
     TransientSample s;
     const double r = radius(t);

@@ -77,7 +77,7 @@ IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& z,
                                 EventLog& log, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
                                 const StopFlag* stop) {
   kernels::EventRun run(system, z.data(), 0.0, kernels::event_scale(system, tolerance));
-  Stretch<kernels::EventRun, true> stretch(system, run, z, statistics, samples);
+  Stretch stretch(system, run, z, statistics, samples);
   EventRecorder events(system, run, log);
   double y[most_components];
   const IntegrationStatus status = run.advance(

@@ -40,8 +40,8 @@ struct Instant {
   }
 };
 
-// `sags`: r is measured from the sag under gravity.
-template <class Flow, bool sags>
+// r is measured from the sag under gravity.
+template <class Flow>
 class Gatherer {
  public:
   Gatherer(const model::System& system, const Flow& flow, MotionStatistics& statistics, const double* z)
@@ -106,7 +106,7 @@ class Gatherer {
     flow_(at.t, at.z, at.dz);
     at.x = at.z[0];
     at.y = at.z[1];
-    if constexpr (sags) {
+    if (sag_ != 0.0) {
       const double psi = system_.layout().psi < 0 ? system_.speed() * at.t : at.z[system_.layout().psi];
       at.x -= sag_ * std::sin(psi);
       at.y -= sag_ * std::cos(psi);
@@ -250,7 +250,7 @@ class StateSampler {
 };
 
 // What is requested of one stretch from state `z` on: statistics, samples, both or neither.
-template <class Flow, bool sags>
+template <class Flow>
 class Stretch {
  public:
   Stretch(const model::System& system, const Flow& flow, const Eigen::VectorXd& z, MotionStatistics* statistics,
@@ -281,7 +281,7 @@ class Stretch {
 
  private:
   const double spacing_;
-  std::optional<Gatherer<Flow, sags>> gatherer_;
+  std::optional<Gatherer<Flow>> gatherer_;
   std::optional<Recorder> recorder_;
   StateSampler sampler_;
 };

@@ -44,8 +44,7 @@ MotionFigures followed(const model::System& system, const WatchedShaft& shaft, c
   const auto sample = [&](double t, const double* z) {
     const model::StateLayout& at = system.layout();
     const double psi = at.psi < 0 ? system.speed() * t : z[at.psi];
-    if (!system.tilts()) return transient_sample(system.parameters(), psi, t, z);
-    return transient_sample(system.parameters(), shaft, psi, t, z, z + at.tilt);
+    return transient_sample(system.parameters(), shaft, psi, t, z, at.tilt < 0 ? nullptr : z + at.tilt);
   };
   TransientWatch watch(one_window());
   State z{};

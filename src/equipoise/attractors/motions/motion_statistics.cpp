@@ -66,8 +66,7 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
   const IntegrationStatus status = kernels::with_source(system, [&]<class Source>(Source) {
     const kernels::SmoothRun<Source> run(system, 0.0, tolerance);
     if (!statistics && !samples) return run.advance(duration, state.data(), kernels::unobserved, stop);
-    Stretch<typename kernels::SmoothRun<Source>::Flow, Source::sags> stretch(system, run.flow(), state, statistics,
-                                                                             samples);
+    Stretch stretch(system, run.flow(), state, statistics, samples);
     const IntegrationStatus ended = run.advance(
         duration, state.data(), [&](double from, double to, auto&& at) { stretch.step(from, to, at); }, stop);
     stretch.finish(duration);

@@ -27,7 +27,6 @@ namespace HWY_NAMESPACE {
 template <int room, Terms terms>
 struct PlainSource {
   static constexpr int dimension = model::dimension(room);
-  static constexpr bool sags = terms.gravity;
   template <class T>
   using Flow = FreeFlow<T, room, terms>;
   template <class T>
@@ -47,7 +46,6 @@ struct SmoothSource {
   template <int balls>
   static constexpr int largest = SmoothFlow<double, balls, tilt>::dimension;
   static constexpr int dimension = largest<model::max_balls>;
-  static constexpr bool sags = true;
   template <class T>
   using Flow = SmoothFlow<T, model::any_count, tilt>;
   template <class T>

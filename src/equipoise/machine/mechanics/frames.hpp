@@ -24,10 +24,12 @@ inline std::array<double, 2> inertial_velocity(double w, double x, double y, dou
   return {x_dot - w * y, y_dot + w * x};
 }
 
-/// psi' jumps by `jump` while position and velocity in the rotating frame (x, y, x', y') stay: u and v jump.
-inline void apply_speed_jump(double jump, double* z) {
+/// psi' jumps by `jump` while position and velocity in the rotating frame (x, y, x', y') stay: u and v jump. `tilt`:
+/// where a tilting rotor's slopes stand in the state, which keep their rates alike; -1: nowhere.
+inline void apply_speed_jump(double jump, double* z, int tilt = -1) {
   z[index::u] -= jump * z[index::y];
   z[index::v] += jump * z[index::x];
+  if (tilt >= 0) apply_speed_jump(jump, z + tilt);
 }
 
 }  // namespace equipoise::model

@@ -124,8 +124,7 @@ class EventTrajectory {
     flow_.enter(piece());
     if (piece().driven()) return;
     double& speed = state_[layout().speed];
-    model::apply_speed_jump(piece().speed - speed, state_.data());
-    if constexpr (tilt) model::apply_speed_jump(piece().speed - speed, &state_[layout().tilt]);
+    model::apply_speed_jump(piece().speed - speed, state_.data(), layout().tilt);
     speed = piece().speed;
     state_[layout().psi] = piece().psi;
   }

@@ -78,8 +78,7 @@ struct Machine {
   void cross(std::size_t k, double* state) const {
     if (!prescribed()) return;
     const double jump = drive.pieces[k + 1].speed - segment(k).speed_at(drive.pieces[k].end);
-    model::apply_speed_jump(jump, state);
-    if (const int tilt = systems[k].layout().tilt; tilt >= 0) model::apply_speed_jump(jump, state + tilt);
+    model::apply_speed_jump(jump, state, systems[k].layout().tilt);
   }
   // Whether the release alone separates piece k from the next.
   bool goes_on(std::size_t k) const {

@@ -244,9 +244,8 @@ class HeldFollower {
     const model::DrivePiece& next = drive_.pieces[piece_ + 1];
     if (!piece().prescribed) return;
     const double jump = next.speed - segment().speed_at(piece().end);
-    model::apply_speed_jump(jump, y_.data());
+    model::apply_speed_jump(jump, y_.data(), layout().tilt);
     if constexpr (tilt) {
-      model::apply_speed_jump(jump, &y_[layout().tilt]);
       y_[layout().speed] = next.speed;
       y_[layout().psi] = next.psi;
     }

@@ -45,9 +45,8 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
     : SpinUp(study, stop),
       segments_(std::move(segments)),
       tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
-  if (!model::System(study.parameters, 0.0).simple())
-    for (const model::DrivePiece& piece : model::prescribed_drive(segments_).pieces)
-      systems_.emplace_back(study.parameters, piece);
+  for (const model::DrivePiece& piece : model::prescribed_drive(segments_).pieces)
+    systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0 || study.parameters.tilts()) return;
   // All starts share the spin-up, so a tight tolerance costs nothing.
@@ -62,8 +61,8 @@ std::array<double, 4> StartSource::origin() const {
   return {z[0], z[1], z[2], z[3]};
 }
 
-std::size_t StartSource::size() const {
-  return model::StateLayout::of(study_.parameters.balls, false, false, false, study_.parameters.tilts()).size;
+model::StateLayout StartSource::layout() const {
+  return model::StateLayout::of(study_.parameters.balls, false, false, false, study_.parameters.tilts());
 }
 
 void StartSource::watch(const TransientSettings& settings) {
@@ -196,25 +195,19 @@ void StartSource::release(const std::vector<double>& phi, std::vector<double>& s
 }
 
 BatchTask StartSource::task(std::size_t k, std::vector<double>& states) const {
-  BatchTask task;
-  task.parameters = &study_.parameters;
+  BatchTask task = batch_task(systems_[k]);
   task.segment = segments_[k];
-  if (!systems_.empty()) task.system = &systems_[k];
   task.end = segments_[k].end;
   task.tolerance = tolerance_;
-  task.count = states.size() / size();
-  task.states = states.data();
   task.stop = stop_;
+  task.take(states, {}, {});
   return task;
 }
 
 void StartSource::cross(std::size_t k, std::vector<double>& states) const {
   const double jump = segments_[k + 1].speed - segments_[k].speed_at(segments_[k].end);
-  const std::size_t size = this->size(), centre = model::dimension(study_.parameters.balls);
-  for (std::size_t at = 0; at < states.size(); at += size) {
-    model::apply_speed_jump(jump, &states[at]);
-    if (size > centre) model::apply_speed_jump(jump, &states[at + centre]);
-  }
+  const model::StateLayout layout = this->layout();
+  for (std::size_t at = 0; at < states.size(); at += size()) model::apply_speed_jump(jump, &states[at], layout.tilt);
 }
 
 }  // namespace equipoise

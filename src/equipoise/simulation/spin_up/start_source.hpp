@@ -42,14 +42,15 @@ class StartSource : public SpinUp {
   std::size_t first_free() const { return first_free_; }
 
  private:
-  std::size_t size() const;  // of a state
+  model::StateLayout layout() const;
+  std::size_t size() const { return static_cast<std::size_t>(layout().size); }
   void place(const InitialState& start, double* state, TransientSums* sums = nullptr) const;
   void place_tilting(const InitialState& start, double* state, TransientSums* sums) const;
   std::array<double, 4> origin() const;
   void end_piece(std::size_t k, TransientTable& transients) const;
 
   std::vector<model::Segment> segments_;
-  std::vector<model::System> systems_;  // over each segment, unless the system is simple (system.hpp); else empty
+  std::vector<model::System> systems_;  // over each segment
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;

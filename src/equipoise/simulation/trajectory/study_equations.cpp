@@ -224,8 +224,7 @@ void StudyEquations::cross(std::size_t piece, double* y) const {
   const model::DrivePiece &before = state_->drive_at(piece), &after = state_->drive_at(piece + 1);
   const double end = pieces()[piece].end, now = before.motion(false).speed_at(end);
   const double then = after.motion(false).speed_at(end);
-  model::apply_speed_jump(then - now, y);
-  if (const int tilt = state_->own.tilt; tilt >= 0) model::apply_speed_jump(then - now, y + tilt);
+  model::apply_speed_jump(then - now, y, state_->own.tilt);
 }
 
 double StudyEquations::energy(std::size_t piece, double t, const double* y) const {

@@ -185,12 +185,6 @@ class GatherTransients {
   const std::array<TransientWindow, 3>& windows(int lane) const { return closed_[lane]; }
   int window_count(int lane) const { return count_[lane]; }
 
-  // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 since release.
-  bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
-    const auto& [last, before, first] = closed_[lane];
-    return equipoise::seen_enough(settings, end, {before, first}, last, count_[lane], free_peak);
-  }
-
   // Largest r^2 since load().
   double peak(int lane) const { return element(peak_, lane); }
 
@@ -312,15 +306,15 @@ class GatherTransients {
   int count_[lanes] = {};                         // since restart()
 };
 
-// The same for tilting rotors, watched at several places, of which the worst one is told. Without lanes also for
-// others. No place moves more than both of the first two, to which limits are held; the rest have forces of their own.
-template <class T>
+// At `most` places or fewer, of which the worst one is told: one, or several of a tilting rotor. No place moves more
+// than both of the first two, to which limits are held; the rest have forces of their own.
+template <class T, int most = static_cast<int>(model::most_bearings), int parts = 4>
 class GatherPlaces {
  public:
-  using One = GatherTransients<T>;
+  using One = GatherTransients<T, parts>;
   using Flags = typename One::Flags;
   using Turning = typename One::Turning;
-  static constexpr int lanes = One::lanes, most = static_cast<int>(model::most_bearings);
+  static constexpr int lanes = One::lanes;
 
   void load(int lane, const TransientSums& row, bool free = true) {
     for (One& one : places_) one.load(lane, row, free);
@@ -331,7 +325,7 @@ class GatherPlaces {
   // As many places are watched as `here` has, always.
   void stand(int lane, double t, std::span<const Sample<double>> here, const TurningUnbalance& unbalance) {
     count_ = static_cast<int>(here.size());
-    for (int k = 0; k < count_; ++k) places_[k].stand(lane, t, here[static_cast<std::size_t>(k)], unbalance);
+    for (int k = 0; k < count(); ++k) places_[k].stand(lane, t, here[static_cast<std::size_t>(k)], unbalance);
   }
   void restart(int lane, double t) {
     for (One& one : places_) one.restart(lane, t);
@@ -356,22 +350,23 @@ class GatherPlaces {
     places_[k].template add<false>(limits, active, accepted, begin, t, h, at, unbalance);
   }
 
+  // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 since release.
   bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
     std::array<TransientWindow, 3> worst = places_[0].windows(lane);
-    for (int k = 1; k < count_; ++k)
+    for (int k = 1; k < count(); ++k)
       for (std::size_t w = 0; w < worst.size(); ++w) worst[w] = worse_of(worst[w], places_[k].windows(lane)[w]);
     return equipoise::seen_enough(settings, end, {worst[1], worst[2]}, worst[0], places_[0].window_count(lane),
                                   free_peak);
   }
   double peak(int lane) const {
     double peak = places_[0].peak(lane);
-    for (int k = 1; k < count_; ++k) peak = std::fmax(peak, places_[k].peak(lane));
+    for (int k = 1; k < count(); ++k) peak = std::fmax(peak, places_[k].peak(lane));
     return peak;
   }
 
   void store(int lane, double t, TransientSums& row, bool free = true) const {
     places_[0].store(lane, t, row, free);
-    for (int k = 1; k < count_; ++k) {
+    for (int k = 1; k < count(); ++k) {
       TransientSums other;
       places_[k].store(lane, t, other, free);
       row.free_peak = larger(row.free_peak, other.free_peak);
@@ -383,6 +378,8 @@ class GatherPlaces {
   }
 
  private:
+  int count() const { return most == 1 ? 1 : count_; }  // a constant for one
+
   One places_[most];
   int count_ = 1;
 };

@@ -27,24 +27,18 @@ TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaf
   return {a.real(), a.imag(), b.real(), b.imag()};
 }
 
-TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
-  const double sine = std::sin(psi), cosine = std::cos(psi);
-  const std::array<double, 2> force = model::bearing_force(p, psi, z);  // in fixed axes
-  const auto s = kernels::sample_of<double>({sine, cosine}, model::static_sag(p), {0.0, -model::total_weight(p)},
-                                            {force[0], force[1]}, z);
-  return {t, turning_unbalance(p, {}, z + model::index::phi(0)), {s}};
-}
-
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt) {
   const double sine = std::sin(psi), cosine = std::cos(psi), sag = model::static_sag(p), slope = model::static_slope(p);
   const std::array<double, 2> all = model::bearing_force(p, psi, z, tilt);  // in fixed axes
   const HWY_NAMESPACE::RotorMotion<double> rotor{0.0, 0.0, sine, cosine};
-  const bool each = !shaft.bearings.empty();
+  const bool each = tilt && !shaft.bearings.empty();
+  constexpr std::array<double, 4> upright{};
+  const double* slopes = tilt ? tilt : upright.data();
   const auto at = [&](std::size_t b) {
     const double place = each ? shaft.bearings[b].at : shaft.places[b];
     std::array<double, 4> section{};
-    for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * tilt[k];
+    for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * slopes[k];
     const double rest = sag + place * slope;
     HWY_NAMESPACE::Vector2<double> force{all[0], all[1]};
     HWY_NAMESPACE::Vector2<double> at_rest{0.0, -model::total_weight(p)};
@@ -56,7 +50,7 @@ TransientSample transient_sample(const model::Parameters& p, const WatchedShaft&
     return kernels::sample_of<double>({sine, cosine}, rest, at_rest, force, section.data());
   };
   TransientSample sample{t, turning_unbalance(p, shaft, z + model::index::phi(0)), {}};
-  sample.count = std::max(shaft.places.size(), shaft.bearings.size());
+  sample.count = tilt ? std::max(shaft.places.size(), shaft.bearings.size()) : 1;
   for (std::size_t b = 0; b < sample.count; ++b) sample.places[b] = at(b);
   return sample;
 }
@@ -92,29 +86,19 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   };
   Step at, other;
   put(0, at);
-  unsigned full = 0;
   if (samples[0].count > 1) {
     put(1, other);
-    full = gathered_.add(limits_, 1, true, begin, t_, h, at, other, unbalance);
+    gathered_.add(limits_, 1, true, begin, t_, h, at, other, unbalance);
   } else {
-    full = gathered_.add(limits_, 1, true, begin, t_, h, at, unbalance);
+    gathered_.add(limits_, 1, true, begin, t_, h, at, unbalance);
   }
   for (std::size_t k = 2; k < samples[0].count; ++k) {
     put(k, other);
     gathered_.add_place(static_cast<int>(k), limits_, 1, true, begin, t_, h, other, unbalance);
   }
-  if (full && decided_)
-    may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak.square);
 }
 
 void TransientWatch::end_piece() { gathered_.end_piece(0); }
-
-void TransientWatch::decided(const KnownEnd& end) {
-  decided_ = true;
-  gathered_.end_work(0);
-  end_ = end;
-  gathered_.restart(0, t_);
-}
 
 TransientSums TransientWatch::sums() const {
   TransientSums result = sums_;

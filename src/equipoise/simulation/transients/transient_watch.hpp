@@ -24,9 +24,8 @@ struct TransientSample {
 /// With the balls at `phi`; `shaft`: of a tilting rotor.
 TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaft& shaft, const double* phi);
 
-/// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
-TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
-/// The same of a tilting rotor. `tilt`: its four variables.
+/// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`. `tilt`: the four
+/// variables of a tilting rotor, which is watched along its `shaft`; null for others.
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt);
 
@@ -52,10 +51,6 @@ class TransientWatch {
   }
   /// A piece of the drive ends with the last step.
   void end_piece();
-  /// The outcome is known at the end of the last step: windows count from here.
-  void decided(const KnownEnd& end);
-  /// Whether a decided trajectory has been followed far enough (seen_enough()).
-  bool may_leave() const { return may_leave_; }
 
   TransientSums sums() const;
 
@@ -65,9 +60,8 @@ class TransientWatch {
   using Gather = HWY_NAMESPACE::transient::GatherPlaces<double>;
   Gather gathered_;
   TransientSums sums_;  // without the present side of the release
-  KnownEnd end_;
   double t_;
-  bool begun_ = false, free_ = true, decided_ = false, may_leave_ = false;
+  bool begun_ = false, free_ = true;
 };
 
 }  // namespace equipoise

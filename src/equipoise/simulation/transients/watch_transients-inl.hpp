@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include "equipoise/simulation/batch/batch_watch-inl.hpp"
 #include "equipoise/machine/model/equation_terms-inl.hpp"
@@ -258,7 +257,7 @@ template <bool tilt>
 class WatchTransients final : public BatchWatch {
   using Rotor = WatchedRotor<tilt>;
   static constexpr int places = Rotor::places;
-  using Group = std::conditional_t<tilt, transient::GatherPlaces<Pack>, transient::GatherTransients<Pack, 2>>;
+  using Group = transient::GatherPlaces<Pack, Rotor::most_places, tilt ? 4 : 2>;
   static constexpr int lanes = Group::lanes;
 
  public:
@@ -295,11 +294,8 @@ class WatchTransients final : public BatchWatch {
     const auto all = rotor(slot).unbalance(z);
     std::size_t k = 0;
     for (const Pack& part : all.part) unbalance[k++] = transient::element(part, slot % lanes);
-    if constexpr (tilt)
-      groups_[slot / lanes].stand(slot % lanes, t, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
-                                  unbalance);
-    else
-      groups_[slot / lanes].stand(slot % lanes, t, here[0], unbalance);
+    groups_[slot / lanes].stand(slot % lanes, t, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
+                                unbalance);
   }
 
   unsigned step(const TriedStep& s) override {
