@@ -17,6 +17,7 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -89,7 +90,7 @@ TEST(MultipliersThroughImpacts, AreThoseOfSaltationMatrices) {
   for (std::uint64_t k = 0; k < 40 && (!impacts || impacts->events.empty()); ++k) {
     VectorXd y = VectorXd::Zero(system.dimension());
     start_angles(7, k, 2, y.data() + model::index::phi(0));
-    if (least_gap(study.parameters, y) > 0.0) impacts = motion_from(system, y);
+    if (model::least_gap(study.parameters, &y[model::index::phi(0)]) > 0.0) impacts = motion_from(system, y);
   }
   ASSERT_TRUE(impacts && impacts->kind == MotionKind::periodic && impacts->stable);
   ASSERT_EQ(impacts->events.size(), 2U);

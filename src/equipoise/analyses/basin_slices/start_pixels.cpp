@@ -12,9 +12,9 @@
 
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
-#include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
@@ -212,7 +212,7 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
     const InitialState begin = own ? own->own.start : start(places[i]);
     const auto at = followed.find(i);
     SlicePixel& pixel = pixels.emplace_back();
-    if (overlap(map_.study.parameters, begin.phi.data()))  // no such start
+    if (model::overlap(map_.study.parameters, begin.phi.data()))  // no such start
       pixel.code = failed_code;
     else
       pixel = pixel_of(own, chunk.fates[i], at == followed.end() ? nullptr : &at->second);

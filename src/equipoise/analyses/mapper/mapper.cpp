@@ -12,7 +12,7 @@
 
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
-#include "equipoise/attractors/periodic_orbits/return_map.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -126,7 +126,7 @@ Decided Mapper::at_angles(const std::vector<double>& phi) const {
   for (std::size_t i = 0; i < count; ++i) {
     InitialState start = study.initial;
     std::copy_n(&phi[i * balls], balls, start.phi.begin());
-    if (study.parameters.balls_collide() && overlap(study.parameters, start.phi.data())) continue;
+    if (model::overlap(study.parameters, start.phi.data())) continue;
     given.push_back(start);
     places.push_back(i);
   }

@@ -20,6 +20,7 @@
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 
 namespace equipoise {
 
@@ -254,7 +255,7 @@ class EventJourney final : public Journey {
 bool stays_clear(const model::System& system, const Motion& motion) {
   const model::Parameters& p = system.parameters();
   if (!p.balls_collide()) return true;
-  if (!(least_gap(p, motion.state) > 0.0)) return false;
+  if (!(model::least_gap(p, &motion.state[model::index::phi(0)]) > 0.0)) return false;
   if (motion.kind == MotionKind::equilibrium) return true;
   // Deviations from an unstable motion grow, and balls may touch after a while.
   const double once = motion.kind == MotionKind::periodic ? motion.period : std::max(motion.duration, first_stretch);

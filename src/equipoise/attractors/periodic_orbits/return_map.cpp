@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/attractors/periodic_orbits/event_run-inl.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
@@ -241,27 +240,6 @@ class ReturnMap {
 
 model::BallMode mode_at(const model::System& system, const VectorXd& state) {
   return kernels::EventRun(system, state.data(), 0.0, kernels::event_scale(system, return_tolerance)).mode();
-}
-
-namespace {
-
-// The least angle between two balls' places on the race.
-double least_angle(const model::Parameters& p, const double* phi) {
-  double least = two_pi;
-  for (int i = 0; i < p.balls; ++i)
-    for (int k = 0; k < i; ++k) least = std::min(least, std::fabs(wrapped(phi[i] - phi[k])));
-  return least;
-}
-
-}  // namespace
-
-double least_gap(const model::Parameters& p, const VectorXd& state) {
-  if (p.balls < 2) return std::numeric_limits<double>::infinity();
-  return least_angle(p, &state[model::index::phi(0)]) - p.contact_angle;
-}
-
-bool overlap(const model::Parameters& p, const double* phi) {
-  return p.balls_collide() && least_angle(p, phi) < p.contact_angle;
 }
 
 std::optional<VectorXd> after(const model::System& system, const VectorXd& state, double duration) {

@@ -17,10 +17,6 @@ namespace equipoise {
 
 /// The mode in which a trajectory from `state` begins.
 model::BallMode mode_at(const model::System& system, const Eigen::VectorXd& state);
-/// The least angle between neighbours, beyond that of touching; infinite for one ball.
-double least_gap(const model::Parameters& p, const Eigen::VectorXd& state);
-/// Whether colliding balls would overlap at these angles.
-bool overlap(const model::Parameters& p, const double* phi);
 
 /// Newton's method from `guess` on the equations of its mode, for a system without a stroboscopic section. Empty if it
 /// does not converge. If all balls are held, the equilibrium is the rotor's.

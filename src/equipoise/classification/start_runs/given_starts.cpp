@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/results/io/checksum.hpp"
 
@@ -54,7 +54,7 @@ void check_start(const Study& study, const InitialState& s, std::size_t number) 
     as_common(rotor[k], "where the rotor turns as prescribed until the balls are let go");
   for (int i = 0; clamped && i < p.balls; ++i)
     require(s.phi_dot[i] == 0.0, "phi_dot", i, s.phi_dot[i], "must be 0: the balls are clamped until their release");
-  require(!overlap(p, s.phi.data()), "phi", of_rotor, s.phi[0],
+  require(!model::overlap(p, s.phi.data()), "phi", of_rotor, s.phi[0],
           "balls overlap; must be at least {} rad apart, as balls are that touch", p.contact_angle);
 }
 

@@ -13,10 +13,10 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/batch/own_rotor.hpp"
 
@@ -124,7 +124,7 @@ Eigen::VectorXd state_with_room(const ContinuumRegion& region, const ContinuumMe
   for (int k = 0; k < most; ++k, value *= 0.5)
     for (const double sign : {1.0, -1.0}) {
       Eigen::VectorXd z = region.continuum->state_at(m, value, sign * direction);
-      if (!collide || least_gap(system.parameters(), z) > 0.0) return z;
+      if (!collide || model::least_gap(system.parameters(), &z[model::index::phi(0)]) > 0.0) return z;
     }
   return m.centre;
 }

@@ -1,7 +1,9 @@
 // Room in the race for colliding balls.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/parameters.hpp"
@@ -25,14 +27,19 @@ inline void make_room(const Parameters& p, double* phi) {
     phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
 }
 
-/// Whether balls at these angles do not overlap. Touching balls, up to rounding, do not.
-inline bool has_room(const Parameters& p, const double* phi) {
-  constexpr double rounding = 1e-9;
-  if (!p.balls_collide()) return true;
+/// The least angle between two balls, beyond that of touching; infinite for one ball.
+inline double least_gap(const Parameters& p, const double* phi) {
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < p.balls; ++i)
-    for (int k = 0; k < i; ++k)
-      if (std::fabs(wrapped(phi[i] - phi[k])) < p.contact_angle - rounding) return false;
-  return true;
+    for (int k = 0; k < i; ++k) least = std::min(least, std::fabs(wrapped(phi[i] - phi[k])));
+  return least - p.contact_angle;
 }
+
+/// Whether colliding balls would overlap at these angles, by more than `rounding`.
+inline bool overlap(const Parameters& p, const double* phi, double rounding = 0.0) {
+  return p.balls_collide() && least_gap(p, phi) < -rounding;
+}
+/// Whether they do not. Touching balls, up to rounding, do not.
+inline bool has_room(const Parameters& p, const double* phi) { return !overlap(p, phi, 1e-9); }
 
 }  // namespace equipoise::model
