@@ -11,10 +11,10 @@
 
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
 #include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
+#include "equipoise/attractors/motions/motion_symmetry.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/random.hpp"
-#include "equipoise/core/math/assignment.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
@@ -46,24 +46,6 @@ void rest_rotor(const model::System& system, VectorXd& state) {
   const Eigen::MatrixXd own = jacobian(places, places);
   const VectorXd rest = rate(places);
   state(places) -= dense::inverse(own) * rest;
-}
-
-// With balls that are alike in the order that makes the distance least.
-double distance_in_any_order(const model::System& system, const StateDifference& difference, const VectorXd& a,
-                             const VectorXd& b) {
-  const int n = system.balls();
-  Eigen::MatrixXd cost(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < n; ++k) {
-      const double apart = wrapped(a[model::index::phi(i)] - b[model::index::phi(k)]);
-      cost(i, k) = system.alike(i, k) ? apart * apart : no_pair;
-    }
-  const std::vector<int> pairs = cheapest_pairs(cost);
-  VectorXd d = difference(a, b);
-  for (int i = 0; i < n; ++i) d[model::index::phi(i)] = d[model::index::q(i, n)] = 0.0;
-  double square = d.squaredNorm();
-  for (int i = 0; i < n; ++i) square += cost(i, pairs[static_cast<std::size_t>(i)]);
-  return std::sqrt(square);
 }
 
 // A race at rest is on the axis to rounding, and rotors of one continuum rest alike.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "equipoise/attractors/equilibria/equilibria.hpp"
-#include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/assignment.hpp"
 #include "equipoise/core/math/orders.hpp"
@@ -153,6 +152,12 @@ Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::I
     from[model::index::q(i, balls)] = model::index::q(order[i], balls);
   }
   return from;
+}
+
+double distance_in_any_order(const model::System& system, const StateDifference& difference, const Eigen::VectorXd& a,
+                             const Eigen::VectorXd& b) {
+  const auto alike = [&](int i, int k) { return system.alike(i, k); };
+  return Matching(system, difference, pairs_where(system.balls(), alike)).distance(a, b);
 }
 
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion) {

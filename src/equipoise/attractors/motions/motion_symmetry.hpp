@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/machine/model/parameters.hpp"
 
 namespace equipoise {
@@ -17,6 +18,10 @@ using BallOrder = std::array<int, model::max_balls>;
 /// Where the components of a state come from when balls are exchanged: exchanged = state(components). `size`: of the
 /// state; 0: a plain state (machine/model/parameters.hpp).
 Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size = 0);
+
+/// The distance of two states, with alike balls in the order that makes it least.
+double distance_in_any_order(const model::System& system, const StateDifference& difference, const Eigen::VectorXd& a,
+                             const Eigen::VectorXd& b);
 
 /// For a periodic motion or an equilibrium: one order for each of its Motion::copies under exchange of alike balls, its
 /// own first.
