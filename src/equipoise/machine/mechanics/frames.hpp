@@ -24,8 +24,8 @@ inline std::array<double, 2> inertial_velocity(double w, double x, double y, dou
   return {x_dot - w * y, y_dot + w * x};
 }
 
-/// psi' jumps by `jump` while position and velocity in the rotating frame (x, y, x', y') stay: u and v jump. `tilt`:
-/// where a tilting rotor's slopes stand in the state, which keep their rates alike; -1: nowhere.
+/// psi' jumps by `jump` while position and velocity in the rotating frame (x, y, x', y') stay: u and v jump, and so do
+/// the rates of a tilting rotor's slopes. `tilt`: the place of these slopes in the state; -1: the rotor stays upright.
 inline void apply_speed_jump(double jump, double* z, int tilt = -1) {
   z[index::u] -= jump * z[index::y];
   z[index::v] += jump * z[index::x];

@@ -187,7 +187,7 @@ class FleetSource final : public SpinUp {
   }
 
   // One rotor after the other: at a prescribed speed transients of held balls come from superposition, and held balls
-  // load a tilting rotor by a couple too.
+  // also load a tilting rotor by a couple.
   bool follow_each(std::span<const OwnRotorStart> given, const std::vector<std::size_t>& members, SpunUp& starts,
                    TransientTable* transients) const {
     for (const std::size_t i : members) {

@@ -306,7 +306,7 @@ class GatherTransients {
   int count_[lanes] = {};                         // since restart()
 };
 
-// At `most` places or fewer, of which the worst one is told: one, or several of a tilting rotor. No place moves more
+// At `most` places or fewer, of which the worst one counts: one, or several of a tilting rotor. No place moves more
 // than both of the first two, to which limits are held; the rest have forces of their own.
 template <class T, int most = static_cast<int>(model::most_bearings), int parts = 4>
 class GatherPlaces {
