@@ -194,12 +194,8 @@ std::optional<StuckEnd> stuck_for_good(const model::System& system, const Eigen:
 }
 
 Motion describe_stuck(const model::System& system, const StuckEnd& end) {
-  const int n = system.balls();
-  Motion motion;
-  motion.kind = MotionKind::equilibrium;
-  motion.state = system.with_angles_reduced(end.state);
+  Motion motion = motion_at_rest(system, {end.state, {}, 0.0});
   motion.stuck = motion.eventful = motion.set_valued = motion.stable = true;
-  describe_rest(system, motion);
   motion.depends_on_angle = !system.autonomous();
   motion.exponents = {end.slowest_rate};
   motion.r_min = end.r_min;
@@ -207,7 +203,7 @@ Motion describe_stuck(const model::System& system, const StuckEnd& end) {
   motion.r_max = end.r_max;
   motion.balanced = halves_the_shaking(system.parameters(), motion.speed, end.r_mean);
   motion.mode = mode_at(system, motion.state);
-  std::fill_n(motion.mode.held.begin(), n, true);
+  std::fill_n(motion.mode.held.begin(), system.balls(), true);
   return motion;
 }
 

@@ -173,11 +173,6 @@ void describe_steady_drive(const model::System& system, Motion& motion) {
 
 }  // namespace
 
-void describe_rest(const model::System& system, Motion& motion) {
-  describe_steady_drive(system, motion);
-  describe_rest(system.parameters(), motion);
-}
-
 double r_at_rest(const model::System& system, const Eigen::VectorXd& state) {
   const int place = system.layout().psi;
   const auto rest = place < 0 ? std::array{0.0, 0.0} : model::rest_position(system.parameters(), state[place]);
@@ -192,7 +187,8 @@ Motion motion_at_rest(const model::System& system, const Equilibrium& equilibriu
   Motion motion;
   motion.kind = MotionKind::equilibrium;
   motion.state = system.with_angles_reduced(equilibrium.state);
-  describe_rest(system, motion);
+  describe_steady_drive(system, motion);
+  describe_rest(system.parameters(), motion);
   motion.spectrum = equilibrium.eigenvalues;
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;

@@ -16,9 +16,6 @@ void describe_statistics(const model::System& system, const MotionStatistics& st
 /// Whether statistics of a measured motion are long enough to show which balls drift, and which of them alike.
 bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statistics, const Motion& motion);
 
-/// For a motion at rest in the rotating frame at motion.state: the drive, and the angles between balls.
-void describe_rest(const model::System& system, Motion& motion);
-
 /// A motion at rest, but for what of it is stable or a copy.
 Motion motion_at_rest(const model::System& system, const Equilibrium& equilibrium);
 
