@@ -164,7 +164,7 @@ TEST(PhysicalStudy, KeepsItsMachineInSi) {
   ASSERT_TRUE(s.in_si);
   EXPECT_FALSE(s.in_si->scales);
   EXPECT_EQ(s.in_si->sheet.mass, 12.0);
-  EXPECT_EQ(s.in_si->sheet.stiffness, (std::array{48000.0, 48000.0}));
+  EXPECT_EQ(s.in_si->parameters.stiffness, (std::array{48000.0, 48000.0}));
   EXPECT_DOUBLE_EQ(s.in_si->speed.final, 100.0 * pi);
   EXPECT_TRUE(s.states("balancer.ball_diameter"));
   EXPECT_FALSE(s.states("balancer.rolls"));

@@ -181,7 +181,7 @@ std::string range_words(const Key& key, const study::Member& member) {
 }
 
 std::string default_words(const Key& key, const Study& defaults) {
-  if (key.has(Key::required)) return "required";
+  if (key.required_in(false)) return "required";
   const auto value = study::value_of(key, defaults);
   if (!value || std::string(key.sentence).find("default") != std::string::npos) return "";
   if (value->string()) return fmt::format("`{}`", *value->string());
@@ -211,10 +211,10 @@ std::string guide_table(const KeyTable& table, bool physical) {
     if (!key.in_form(physical) || (physical && !study::is_machine(table.name) && !key.has(Key::physical))) continue;
     const auto quantity = [](const study::DimensionWords& w) { return fmt::format("{}, `\"{}\"`", w.name, w.example); };
     const std::string example = key.dimension ? quantity(study::words(*key.dimension)) : "";
-    const std::string meaning = profiles_of(table, key) + key.sentence;
+    const std::string meaning = profiles_of(table, key) + key.meaning(physical);
     text += physical
                 ? fmt::format("| `{}` | {} | {}{} |\n", key.name, example, meaning,
-                              key.has(Key::required) ? "; required" : "")
+                              key.required_in(true) ? "; required" : "")
                 : fmt::format("| `{}` | {} | {} | {} |{}\n", key.name, meaning, range_words(key, key.member(defaults)),
                               default_words(key, defaults), quantities ? fmt::format(" {} |", example) : "");
   }

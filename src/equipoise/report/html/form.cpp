@@ -246,7 +246,7 @@ std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormF
          table->of(speed ? study::variant_of(study.speed.profile) : study::all_variants, study.scales.has_value())) {
       const std::string dotted = table->name + "." + key.name;
       const bool twice = std::any_of(offered.begin(), offered.end(), [&](const auto& o) { return o.key == dotted; });
-      if (!twice && !shown(dotted)) offered.push_back({dotted, label_of(dotted), key.sentence});
+      if (!twice && !shown(dotted)) offered.push_back({dotted, label_of(dotted), key.meaning(study.scales.has_value())});
     }
   }
   return offered;

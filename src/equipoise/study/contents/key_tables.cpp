@@ -96,6 +96,15 @@ KeyPlace find_key(std::string_view dotted, bool physical) {
   return key ? KeyPlace{table, key, entry_of(dotted.substr(0, dot))} : KeyPlace{};
 }
 
+std::vector<const Key*> ways_of(std::string_view dotted) {
+  const auto [table, key, entry] = find_key(dotted, true);
+  std::vector<const Key*> ways;
+  if (key && key->way.of)
+    for (const Key& other : table->keys)
+      if (other.way.of && std::string_view(other.way.of) == key->way.of) ways.push_back(&other);
+  return ways;
+}
+
 unsigned variant_of(Profile profile) {
   const auto index = static_cast<unsigned>(profile);
   return index < profile_names.size() ? unsigned{constant} << index : unsigned{points};

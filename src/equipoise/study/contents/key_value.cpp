@@ -202,11 +202,12 @@ Wanted wanted_of(const Key& key, bool physical) {
   std::vector<Dimension> dimensions{*key.dimension};
   if (key.other) dimensions.push_back(key.other->dimension);
   const double low = key.range.low;  // before conversion only the sign has a range
-  return {low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative, dimensions};
+  const bool above = low > 0.0 || key.range.low_open || key.has(Key::nonzero);
+  return {low < 0.0 ? any_number : above ? positive : not_negative, dimensions};
 }
 
 void read_key(TableReader& reader, const Key& key, Study& study, bool required) {
-  if (!reader.has(key.name) && !key.has(Key::required) && !required) return;
+  if (!reader.has(key.name) && !key.required_in(reader.physical()) && !required) return;
   Key here = key;
   here.range = range_in(study, key);
   std::visit(KeyReading{reader, key, wanted_of(here, reader.physical()), study.parameters.balls},

@@ -94,14 +94,56 @@ bool rebounds(const Study& study) { return touches(study) || study.parameters.re
 
 std::vector<Key> all_keys() {
   return {
-      // Supports and rotor, in dimensionless and physical studies.
-      {"rotor.eccentricity", at<par, &P::eccentricity>, not_negative, D::length, required | plain, "lambda = eps/R"},
-      {"rotor.damping", at<par, &P::damping>, not_negative, D::damping, required | plain, "zeta = c/sqrt(k M)"},
-      {"rotor.stiffness", at<par, &P::stiffness>, positive, D::stiffness, plain, "kappa, in k"},
-      {"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, plain, "G = g/(R omega_c^2), along -Y"},
-      {"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, plain,
-       "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
-       has_inertia},
+      // Supports and rotor.
+      {"rotor.mass", in_sheet<&M::mass>, positive, D::mass, required | physical,
+       "M: all that vibrates, every `[[place]]` included, without the balls"},
+      Key{"rotor.eccentricity", at<par, &P::eccentricity>, not_negative, D::length, required | replaceable,
+          "lambda = eps/R"}
+          .in_units("of the rotor's centre of mass")
+          .one_way("eccentricity", "a length of 0 or more, such as \"0.2 mm\""),
+      Key{"rotor.unbalance", at<par, &P::eccentricity>, not_negative, D::unbalance, physical,
+          "or this: M times the eccentricity"}
+          .one_way("eccentricity", "mass times eccentricity, such as \"300 g mm\""),
+      Key{"rotor.balance_grade", nowhere, any, bare, physical,
+          "or this, a table: `{ grade = \"G 6.3\", at = \"3000 rpm\" }`; the eccentricity is grade/speed [ISO "
+          "21940-11]"}
+          .one_way("eccentricity", "a table such as { grade = \"G 6.3\", at = \"3000 rpm\" }"),
+      Key{"rotor.damping", at<par, &P::damping>, not_negative, D::damping, required | replaceable, "zeta = c/sqrt(k M)"}
+          .in_units("of the supports")
+          .one_way("damping", "a damping coefficient of 0 or more, such as \"200 N s/m\""),
+      Key{"rotor.damping_ratio", at<par, &P::damping>, ratio, bare, physical,
+          "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta; `\"5 %\"` is 0.05"}
+          .one_way("damping", "a plain number or \"5 %\", c/(2 sqrt(k M))"),
+      Key{"rotor.logarithmic_decrement", at<par, &P::damping>, ratio, bare, physical,
+          "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"}
+          .one_way("damping", "a plain number, per cycle of free vibration, such as 0.3"),
+      Key{"rotor.quality_factor", at<par, &P::damping>, quality, bare, physical,
+          "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"}
+          .one_way("damping", "a plain number, sqrt(k M)/c, such as 8"),
+      Key{"rotor.loss_factor", at<par, &P::damping>, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"}
+          .one_way("damping", "a plain number, c/sqrt(k M), such as 0.1"),
+      Key{"rotor.stiffness", at<par, &P::stiffness>, positive, D::stiffness, none, "kappa, in k"}
+          .in_units("of the supports; k is the mean")
+          .one_way("stiffness", "a stiffness greater than 0, such as \"48 kN/m\""),
+      Key{"rotor.natural_frequency", at<par, &P::stiffness>, positive, D::speed, physical,
+          "or this: of the rotor without balls on its supports; k = M omega^2"}
+          .one_way("stiffness", "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\""),
+      Key{"rotor.static_sag", at<par, &P::stiffness>, positive, D::length, physical,
+          "or this: of the rotor without balls under its weight; k = M g/sag, g of `gravity` or 9.80665 m/s2"}
+          .one_way("stiffness", "under its own weight, such as \"3 mm\""),
+      Key{"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, none, "G = g/(R omega_c^2), along -Y"}
+          .in_units("across the shaft"),
+      Key{"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, nonzero,
+          "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
+          has_inertia}
+          .in_units("J, as in a dimensionless study")
+          .one_way("inertia", "a moment of inertia greater than 0, such as \"0.02 kg m2\""),
+      Key{"rotor.radius_of_gyration", at<par, &P::inertia>, positive, D::length, physical, "or this, r: J = M r^2"}
+          .one_way("inertia", "sqrt(J/M), such as \"60 mm\""),
+      Key{"rotor.gd2", at<par, &P::inertia>, positive, D::inertia, physical,
+          "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`"}
+          .or_as(D::weight_inertia, &M::gd2_of_weight)
+          .one_way("inertia", "4 J, such as \"0.3 kgf m2\""),
       {"rotor.eccentricity_angle", at<par, &P::eccentricity_angle>, any, D::angle, none,
        "beta_0, of the centre of mass from angle 0, that of the couple unbalance; only with `tilt`", nullptr, tilts},
       {"rotor.tilt", nowhere, any, bare, none, "a table: how the rotor tilts"},
@@ -111,10 +153,13 @@ std::vector<Key> all_keys() {
        "Jp/(M R^2), about the shaft's axis; at most 2 Jt"},
       {"rotor.tilt.misalignment", at<par, tilt, &X::misalignment>, any, D::angle, none,
        "chi, in rad, of the principal axis from the shaft; the couple unbalance is chi (Jt - Jp)"},
-      {"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, required | plain,
-       "`[k12, k22]` of the supports, or `{ x = [..], y = [..] }`; with `rotor.stiffness` positive definite"},
-      {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
-       "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
+      Key{"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, required | replaceable,
+          "`[k12, k22]` of the supports, or `{ x = [..], y = [..] }`; with `rotor.stiffness` positive definite"}
+          .in_units("`[\"0 N\", \"900 N m\"]`: `[k12, k22]`, or `{ x = [..], y = [..] }`, with `rotor.stiffness`; "
+                    "or `bearings`"),
+      Key{"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | replaceable,
+          "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"}
+          .in_units("`[\"0 N s\", \"18 N m s\"]`: `[c12, c22]`, with `rotor.damping`; or `bearings`"),
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
        "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where "
        "they are all supports; by default none",
@@ -126,40 +171,9 @@ std::vector<Key> all_keys() {
        "likewise, in M omega_c; by default likewise", nullptr, has_bearing_supports},
       {"rotor.tilt.bearings", nowhere, any, bare, physical,
        "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
-      {"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, physical,
-       "or this, `[\"0 N\", \"900 N m\"]`: `[k12, k22]`, or `{ x = [..], y = [..] }`, beside `rotor.stiffness`"},
-      {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, physical,
-       "likewise `[\"0 N s\", \"18 N m s\"]`: `[c12, c22]`, beside `rotor.damping`"},
       {"rotor.tilt.unbalance", nowhere, any, bare, physical,
        "a table for each plane that has one; two planes hold all that a rigid rotor has [ISO 21940-11]; adds to its "
        "own"},
-      {"rotor.mass", in_sheet<&M::mass>, positive, D::mass, required | physical,
-       "M: all that vibrates, every `[[place]]` included, without the balls"},
-      {"rotor.stiffness", in_sheet<&M::stiffness>, positive, D::stiffness, physical, "of the supports; k is the mean"},
-      {"rotor.natural_frequency", in_sheet<&M::stiffness>, positive, D::speed, physical,
-       "or this: of the rotor without balls on its supports; k = M omega^2"},
-      {"rotor.static_sag", in_sheet<&M::stiffness>, positive, D::length, physical,
-       "or this: of the rotor without balls under its weight; k = M g/sag, g of `gravity` or 9.80665 m/s2"},
-      {"rotor.damping", in_sheet<&M::damping>, not_negative, D::damping, physical, "of the supports"},
-      {"rotor.damping_ratio", in_sheet<&M::damping>, ratio, bare, physical,
-       "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta; `\"5 %\"` is 0.05"},
-      {"rotor.logarithmic_decrement", in_sheet<&M::damping>, ratio, bare, physical,
-       "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"},
-      {"rotor.quality_factor", in_sheet<&M::damping>, quality, bare, physical,
-       "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
-      {"rotor.loss_factor", in_sheet<&M::damping>, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"},
-      {"rotor.eccentricity", in_sheet<&M::unbalance>, not_negative, D::length, physical,
-       "of the rotor's centre of mass"},
-      {"rotor.unbalance", in_sheet<&M::unbalance>, not_negative, D::unbalance, physical,
-       "or this: M times the eccentricity"},
-      {"rotor.balance_grade", nowhere, any, bare, physical,
-       "or this, a table: `{ grade = \"G 6.3\", at = \"3000 rpm\" }`; the eccentricity is grade/speed [ISO 21940-11]"},
-      {"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, physical, "across the shaft"},
-      {"rotor.inertia", in_sheet<&M::inertia>, positive, D::inertia, physical, "J, as in a dimensionless study"},
-      {"rotor.radius_of_gyration", in_sheet<&M::inertia>, positive, D::length, physical, "or this, r: J = M r^2"},
-      {"rotor.gd2", in_sheet<&M::inertia>, positive, D::inertia, physical,
-       "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`", nullptr, nullptr,
-       Key::Other{D::weight_inertia, &M::gd2_of_weight}},
       {"rotor.balance_grade.grade", in_sheet<&M::grade>, positive, D::velocity, required | physical,
        "`\"G 6.3\"`, or the velocity that it means, `\"6.3 mm/s\"`"},
       {"rotor.balance_grade.at", in_sheet<&M::grade_at>, positive, D::speed, required | physical,
@@ -187,25 +201,32 @@ std::vector<Key> all_keys() {
       {"place.name", in_each<&M::places, &M::Place::name>, any, bare, physical, "a text, for the reader"},
       {"balancer.balls", at<par, &P::balls>, counts, bare, required,
        "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
-      {"balancer.race_radius", in_sheet<&M::race>, positive, D::length, physical, "R: of the circle of ball centres"},
-      {"balancer.race_diameter", in_sheet<&M::race>, positive, D::length, physical, "or this: 2 R"},
+      Key{"balancer.race_radius", in_sheet<&M::race>, positive, D::length, physical, "R: of the circle of ball centres"}
+          .one_way("race_radius", "a length greater than 0, such as \"60 mm\""),
+      Key{"balancer.race_diameter", in_sheet<&M::race>, positive, D::length, physical, "or this: 2 R"}.one_way(
+          "race_radius", "such as \"120 mm\""),
       {"balancer.ball_diameter", in_sheet<&M::diameter>, positive, D::length, physical,
        "balls whose size is given roll, and touch"},
-      {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
-      {"balancer.mass", in_sheet<&M::mass_of_balls>, positive, D::mass, physical, "of a ball"},
-      {"balancer.ball_density", in_sheet<&M::mass_of_balls>, positive, D::density, physical,
-       "or this, with `ball_diameter`"},
-      {"balancer.ball_material", in_sheet<&M::material>, any, bare, physical,
-       "or this, with `ball_diameter`: `steel`, `stainless steel`, `tungsten carbide`, `ceramic`, `glass`"},
-      {"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | plain, "beta = D/(m R^2 omega_c)"},
-      {"balancer.drag", in_sheet<&M::drag>, not_negative, D::gain, physical,
-       "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)", nullptr, nullptr,
-       Key::Other{D::damping, &M::drag_of_force}},
-      {"balancer.oil_viscosity", in_sheet<&M::oil_viscosity>, positive, D::viscosity, physical,
-       "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`", nullptr, nullptr,
-       Key::Other{D::kinematic_viscosity, &M::kinematic}},
-      {"balancer.oil", nowhere, any, bare, physical,
-       "or this, a table: `{ grade = \"ISO VG 32\", at = \"40 degC\" }`; needs `ball_diameter`"},
+      Key{"balancer.mass", at<par, &P::mass>, positive, D::mass, required | replaceable, "mu = m/M"}
+          .in_units("of a ball")
+          .one_way("mass", "a mass greater than 0, such as \"5 g\""),
+      Key{"balancer.ball_density", at<par, &P::mass>, positive, D::density, physical, "or this, with `ball_diameter`"}
+          .one_way("mass", "with balancer.ball_diameter"),
+      Key{"balancer.ball_material", in_sheet<&M::material>, any, bare, physical,
+          "or this, with `ball_diameter`: `steel`, `stainless steel`, `tungsten carbide`, `ceramic`, `glass`"}
+          .one_way("mass", "such as \"steel\", with balancer.ball_diameter"),
+      Key{"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | replaceable, "beta = D/(m R^2 omega_c)"}
+          .in_units("torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)")
+          .or_as(D::damping, &M::drag_of_force)
+          .one_way("drag",
+                   "a torque for a rate, such as \"1e-6 N m s\", or a force for a velocity, such as \"0.01 N s/m\""),
+      Key{"balancer.oil_viscosity", in_sheet<&M::oil_viscosity>, positive, D::viscosity, physical,
+          "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`"}
+          .or_as(D::kinematic_viscosity, &M::kinematic)
+          .one_way("drag", "with balancer.ball_diameter"),
+      Key{"balancer.oil", nowhere, any, bare, physical,
+          "or this, a table: `{ grade = \"ISO VG 32\", at = \"40 degC\" }`; needs `ball_diameter`"}
+          .one_way("drag", "such as { grade = \"ISO VG 32\", at = \"40 degC\" }"),
       {"balancer.oil_density", in_sheet<&M::oil_density>, positive, D::density, physical,
        "for kinematic viscosities and the Reynolds number of `explain`; of an `oil` 870, of silicone 970 kg/m3"},
       {"balancer.channel_diameter", in_sheet<&M::channel>, positive, D::length, physical,

@@ -38,9 +38,10 @@ struct Key {
   enum Trait : unsigned {
     none = 0,
     required = 1,
-    pair = 2,      ///< [x, y], never one number for both
-    plain = 4,     ///< only in dimensionless studies
-    physical = 8,  ///< only in studies in physical units
+    pair = 2,         ///< [x, y], never one number for both
+    physical = 4,     ///< only in studies in physical units
+    replaceable = 8,  ///< another key may state it in these: required only in dimensionless studies
+    nonzero = 16,     ///< as a quantity greater than 0
     constant = 1 << 8,
     ramp = 1 << 9,
     trapezoid = 1 << 10,
@@ -60,21 +61,49 @@ struct Key {
     bool DataSheet::*given;
   };
 
+  /// One of the ways in which a data sheet may state what a key of this table does.
+  struct Way {
+    const char* of = nullptr;     ///< that key, the first way; null: there is one way
+    const char* words = nullptr;  ///< what to give, for a message
+  };
+
   const char* name;
   Member (*where)(Study&, std::size_t entry);
   Range range;                         ///< of the dimensionless value; in SI units for purely physical keys
   std::optional<Dimension> dimension;  ///< of a key that is a quantity in a physical study
   unsigned traits;
-  const char* sentence;                    ///< for the guide
+  const char* sentence;                    ///< for the guide; in_units() may have another for physical studies
   const char* label = nullptr;             ///< in a form, below its table's name; null: the key in words
   bool (*echoed)(const Study&) = nullptr;  ///< null: always, if set
   std::optional<Other> other = std::nullopt;
+  Way way = {};
+  const char* sentence_in_units = nullptr;  ///< null: the same
+
+  Key in_units(const char* text) const {
+    Key key = *this;
+    key.sentence_in_units = text;
+    return key;
+  }
+  Key or_as(Dimension quantity, bool DataSheet::*given) const {
+    Key key = *this;
+    key.other = Other{quantity, given};
+    return key;
+  }
+  Key one_way(const char* of, const char* words) const {
+    Key key = *this;
+    key.way = {of, words};
+    return key;
+  }
 
   /// `entry`: entry_of() its table.
   Member member(Study& study, std::size_t entry = 0) const { return where(study, entry); }
   bool has(Trait trait) const { return traits & trait; }
   unsigned variants() const { return traits & ~0xffu; }
-  bool in_form(bool physical_study) const { return !has(physical_study ? plain : physical); }
+  bool in_form(bool physical_study) const { return physical_study || !has(physical); }
+  bool required_in(bool physical_study) const { return has(required) && !(physical_study && has(replaceable)); }
+  const char* meaning(bool physical_study) const {
+    return physical_study && sentence_in_units ? sentence_in_units : sentence;
+  }
 };
 
 struct KeyTable {
@@ -104,6 +133,8 @@ struct KeyPlace {
   std::size_t entry = 0;
 };
 KeyPlace find_key(std::string_view dotted, bool physical);
+/// The ways in which a data sheet may state what this dotted key does, itself among them; none if there is one way.
+std::vector<const Key*> ways_of(std::string_view dotted);
 /// The inertia of a rotor that states none.
 inline double usual_inertia(const model::Parameters& p) { return p.tilts() ? model::axial_inertia(p.tilt) : 0.0; }
 /// Whether the table is of the machine itself, which a data sheet states in its own terms.

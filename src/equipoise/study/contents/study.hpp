@@ -212,17 +212,13 @@ struct BallDetails {
   std::optional<double> oil_kelvin;     ///< its temperature, of an oil given by its grade
 };
 
-/// Of a study in physical units: its quantities as stated, in SI units. What several keys may state, in one way each,
-/// is one member: Study::states() says in which.
+/// Of a study in physical units: the quantities, in SI units, that no dimensionless study has. What several keys may
+/// state, in one way each, is one member, here or of the parameters: Study::states() says in which.
 struct DataSheet {
   // [rotor]
   double mass = 0.0;                   ///< M, kg
-  std::array<double, 2> stiffness{};   ///< N/m; or the natural frequency, rad/s; or the static sag, m
-  std::array<double, 2> damping{};     ///< N s/m; or the damping ratio, decrement, quality or loss factor
-  double unbalance = 0.0;              ///< M times the eccentricity, kg m; or the eccentricity, m
   double grade = 0.0, grade_at = 0.0;  ///< rotor.balance_grade: m/s, at this speed in rad/s
-  double inertia = 0.0;                ///< J, kg m^2; or the radius of gyration, m; or GD^2
-  bool gd2_of_weight = false;          ///< GD^2 in N m^2
+  bool gd2_of_weight = false;          ///< rotor.gd2 is in N m^2
 
   std::vector<model::Bearing> bearings;
   struct Plane {
@@ -239,10 +235,8 @@ struct DataSheet {
   using Balls = std::array<double, model::max_balls>;
   double race = 0.0;           ///< radius, or diameter, m
   Balls diameter{};            ///< m
-  Balls mass_of_balls{};       ///< kg; or the density, kg/m^3
-  std::string material;        ///< whose density it is
-  Balls drag{};                ///< torque per rate relative to the race, N m s; or force per velocity, N s/m
-  bool drag_of_force = false;  ///< the latter
+  std::string material;        ///< whose density the balls have
+  bool drag_of_force = false;  ///< the drag is not a torque per rate, N m s, but a force per velocity, N s/m
   double oil_viscosity = 0.0;  ///< dynamic, Pa s; or kinematic, m^2/s
   bool kinematic = false;      ///< the latter
   std::string oil_grade;

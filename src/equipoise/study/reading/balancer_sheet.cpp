@@ -143,7 +143,8 @@ class Balls {
 
   std::vector<double> masses() const {
     const std::string_view from = way_of(machine_, "balancer.mass", refuse_);
-    std::vector<double> mass(d_.mass_of_balls.begin(), d_.mass_of_balls.begin() + p_.balls);
+    const auto& stated = machine_.parameters.mass;
+    std::vector<double> mass(stated.begin(), stated.begin() + p_.balls);
     if (from == "mass") return mass;
     need_diameter(from);
     if (from == "ball_material") mass.assign(mass.size(), model::find_ball_material(d_.material)->density);
@@ -158,7 +159,8 @@ class Balls {
   std::vector<double> drag_torques() const {
     const std::string_view from = way_of(machine_, "balancer.drag", refuse_);
     if (from != "drag") return drag_in_oil(from);
-    std::vector<double> drag(d_.drag.begin(), d_.drag.begin() + p_.balls);
+    const auto& stated = machine_.parameters.drag;
+    std::vector<double> drag(stated.begin(), stated.begin() + p_.balls);
     if (d_.drag_of_force)
       for (double& d : drag) d *= radius_ * radius_;
     for (const char* key : {"oil_density", "channel_diameter"})

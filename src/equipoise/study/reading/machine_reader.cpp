@@ -68,9 +68,9 @@ void read_bearings(const StudyFile& file, TableReader& tilt, Study& study) {
   TableReader rotor(file, "rotor");
   for (const char* key : {"stiffness", "damping", "bearings_at", "bearings_stiffness", "bearings_damping"})
     if (tilt.has(key)) tilt.fail(key, bearings_state_it);
-  for (const char* key : {"stiffness", "natural_frequency", "static_sag", "damping", "damping_ratio",
-                          "logarithmic_decrement", "quality_factor", "loss_factor"})
-    if (rotor.has(key)) rotor.fail(key, bearings_state_it);
+  for (const char* first : {"rotor.stiffness", "rotor.damping"})
+    for (const Key* way : ways_of(first))
+      if (rotor.has(way->name)) rotor.fail(way->name, bearings_state_it);
   read_array(file, "rotor.tilt.bearings",
              "must be an array of tables, one a bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = "
              "\"300 N s/m\" }, ..]",

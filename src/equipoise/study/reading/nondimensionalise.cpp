@@ -26,14 +26,12 @@ struct Quantity {
   const Key* key;
 };
 
-// The quantities that mean the same in both forms of studies.
+// The quantities of both forms of studies that data sheets state in one way.
 std::vector<Quantity> quantities() {
   std::vector<Quantity> all;
   for (const KeyTable& table : key_tables())
-    for (const Key& key : table.keys) {
-      const Key* plain = table.find(key.name, false);
-      if (key.in_form(true) && key.dimension && plain && plain->where == key.where) all.push_back({&table, &key});
-    }
+    for (const Key& key : table.keys)
+      if (key.in_form(false) && key.dimension && !key.way.of) all.push_back({&table, &key});
   return all;
 }
 

@@ -82,7 +82,7 @@ class Rotor {
     }
     const std::string_view from = way_of(machine_, "rotor.damping", refuse_);
     for (const std::size_t i : {0, 1}) {
-      double zeta = d_.damping[i];
+      double zeta = in_si_.damping[i];
       if (from == "logarithmic_decrement") zeta = model::ratio_of_decrement(zeta);
       if (from == "quality_factor") zeta = model::ratio_of_quality(zeta);
       if (from == "loss_factor") zeta = model::ratio_of_loss(zeta);
@@ -123,7 +123,7 @@ class Rotor {
     const bool product = from == "unbalance";
     const double own = from.empty()              ? 0.0
                        : from == "balance_grade" ? model::eccentricity_of_grade(d_.grade, d_.grade_at)
-                                                 : d_.unbalance;
+                                                 : in_si_.eccentricity;
     if (alone) {
       p_.eccentricity = own / (product ? scales_.unbalance() : scales_.length);
       return;
@@ -175,7 +175,7 @@ class Rotor {
   // With that of the motor, which turns with the rotor.
   void put_inertia() {
     const std::string_view from = way_of(machine_, "rotor.inertia", refuse_, false);
-    double inertia = d_.inertia;
+    double inertia = in_si_.inertia;
     if (from == "radius_of_gyration") inertia = model::inertia_of_gyration(d_.mass, inertia);
     if (from == "gd2") inertia = model::inertia_of_gd2(d_.gd2_of_weight ? inertia / standard_gravity : inertia);
     p_.inertia = from.empty() ? usual_inertia(p_) : inertia / scales_.inertia();
@@ -209,7 +209,7 @@ double put_stiffness(const Study& machine, Study& study, const Refuse& refuse) {
   } else {
     const std::string_view from = way_of(machine, "rotor.stiffness", refuse);
     const double g = machine.parameters.gravity > 0.0 ? machine.parameters.gravity : standard_gravity;
-    k = d.stiffness;
+    k = machine.parameters.stiffness;
     for (double& v : k) {
       if (from == "natural_frequency") v = model::stiffness_of_frequency(d.mass, v);
       if (from == "static_sag") v = model::stiffness_of_sag(d.mass, g, v);

@@ -145,8 +145,7 @@ Study::Keys keys_of(const StudyValue& root) {
 std::string physical_key(const StudyFile& file) {
   for (const KeyTable& table : key_tables())
     for (const Key& key : table.keys)
-      if (const std::string dotted = table.name + "." + key.name;
-          key.has(Key::physical) && !table.find(key.name, false) && file.root.find_path(dotted))
+      if (const std::string dotted = table.name + "." + key.name; key.has(Key::physical) && file.root.find_path(dotted))
         return dotted;
   return file.root.find("place") ? "place" : "";
 }
