@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/machine/balance/balance_grade.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -292,8 +291,7 @@ DocumentTable way_table(const BasinResult& r) {
     const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
       const std::optional<double> speed = some_stall ? std::nullopt : graded_speed(g, r.study);
       if (!speed || g.figures[k].count == 0) return "-";
-      return fmt::format("{:.4g}", model::balance_grade(g.figures[k].quantiles[quantile].value * r.study.scales->length,
-                                                        *speed * r.study.scales->frequency));
+      return fmt::format("{:.4g}", grade_at(g.figures[k].quantiles[quantile].value, *speed, r.study));
     };
     const bool stall = r.stalled && r.stalled->count > 0;
     add("e omega of that, mm/s", {grade(none->bare.figures, none->bare.stalled > 0 && !none->bare.one, 0),
@@ -412,7 +410,7 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
   const double mean = group.figure(&TransientRow::residual_unbalance).mean;
   const std::optional<double> speed = graded_speed(group, study);
   if (!speed) return std::nullopt;
-  return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
+  return grade_at(mean, *speed, study);
 }
 
 void add_transients(Document& document, const TransientResult& r, const Study& study) {

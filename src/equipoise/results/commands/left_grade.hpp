@@ -1,4 +1,5 @@
-// The balance quality grades of the rotor alone, and of the unbalance that the balls leave.
+// The balance quality grades of the rotor alone, and of the unbalance that the balls leave. Both are for the mass of
+// the rotor that is balanced, without its balls.
 #pragma once
 
 #include <optional>
@@ -10,10 +11,14 @@
 
 namespace equipoise {
 
-/// In mm/s, for the centre of mass of rotor and balls at the rotor's final speed. `study` must have units.
+/// In mm/s, of an unbalance U/M in R at this dimensionless speed. `study` must have units.
+inline double grade_at(double unbalance, double speed, const Study& study) {
+  return model::balance_grade(unbalance * study.scales->length, speed * study.scales->frequency);
+}
+
+/// The same at the rotor's final speed.
 inline double left_balance_grade(double unbalance, const Study& study) {
-  const double eccentricity = unbalance / (1.0 + study.parameters.total_mass());
-  return model::balance_grade(eccentricity * study.scales->length, study.system().pace() * study.scales->frequency);
+  return grade_at(unbalance, study.system().pace(), study);
 }
 
 /// Whether the study has units, and its rotor two planes to be judged in if it tilts.
@@ -28,7 +33,7 @@ inline std::optional<double> own_balance_grade(const Study& study, double speed)
   bare.balls = 0;
   double unbalance = bare.eccentricity;
   if (bare.tilts()) unbalance = model::judged_unbalance(bare, *model::tolerance_planes(study.bearings), nullptr);
-  return model::balance_grade(unbalance * study.scales->length, speed * study.scales->frequency);
+  return grade_at(unbalance, speed, study);
 }
 
 }  // namespace equipoise
