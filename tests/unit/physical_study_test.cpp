@@ -298,8 +298,8 @@ TEST(PhysicalEcho, HoldsMotorContactAndOffset) {
   close(a.motor().gain, b.motor().gain);
   close(a.motor().integral, b.motor().integral);
   close(*a.motor().limit, *b.motor().limit);
-  close(a.motor().target.final_speed(), b.motor().target.final_speed());
-  close(a.motor().target.settled_time(), b.motor().target.settled_time());
+  close(a.motor().aim.final_speed(), b.motor().aim.final_speed());
+  close(a.motor().aim.settled_time(), b.motor().aim.settled_time());
 }
 
 // Physical, dimensionless, physical, dimensionless: products and quotients of a handful of factors, one rounding each.

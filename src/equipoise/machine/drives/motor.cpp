@@ -36,7 +36,7 @@ DriveSegment curve_segment(const std::vector<double>& speeds, const std::vector<
 }  // namespace
 
 std::optional<double> MotorLaw::final_speed() const {
-  if (kind == Kind::control && (integral != 0.0 || load.is_none())) return target.final_speed();
+  if (kind == Kind::control && (integral != 0.0 || load.is_none())) return aim.final_speed();
   if (load.is_none() && kind != Kind::curve) {
     if (kind == Kind::linear && slope < 0.0 && !until) return -constant / slope;
     return std::nullopt;
@@ -153,7 +153,7 @@ std::vector<DriveSegment> drive_segments(const MotorLaw& law) {
   } else if (law.kind == MotorLaw::Kind::curve) {
     pieces.push_back(curve_segment(law.speeds, law.values));
   } else {
-    linear_pieces(law.target.times, law.target.speeds, [&](double begin, double end, double aim, double aim_rate) {
+    linear_pieces(law.aim.times, law.aim.speeds, [&](double begin, double end, double aim, double aim_rate) {
       pieces.push_back({.begin = begin,
                         .end = end,
                         .constant = law.gain * aim,

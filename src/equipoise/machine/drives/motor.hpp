@@ -56,18 +56,19 @@ struct MotorLaw {
   enum class Kind {
     linear,   ///< constant + slope psi', and 0 from `until` on
     table,    ///< linear between `times`, constant outside them
-    control,  ///< gain e + integral (time integral of e) with e = target(t) - psi', cut to |tau| <= limit
+    control,  ///< gain e + integral (time integral of e) with e = aim(t) - psi', cut to |tau| <= limit
     curve,    ///< linear between `speeds`, constant below the first; above the last the last line goes on
   };
   Kind kind = Kind::linear;
-  double constant = 0.0, slope = 0.0;
-  std::optional<double> until;
-  std::vector<double> times, values;
-  std::vector<double> speeds;
-  double gain = 0.0, integral = 0.0;
-  std::optional<double> limit;
-  SpeedProfile target;
-  Load load;  ///< what the machine takes, whatever the motor
+  double constant = 0.0, slope = 0.0;  ///< linear: tau = constant + slope psi' until `until`, then 0
+  std::optional<double> until;         ///< linear
+  std::vector<double> times;           ///< table
+  std::vector<double> speeds;          ///< curve: increasing
+  std::vector<double> values;          ///< table, curve
+  double gain = 0.0, integral = 0.0;   ///< control: torque per speed error, and its rate
+  std::optional<double> limit;         ///< control: largest |tau|
+  SpeedProfile aim;                    ///< control
+  Load load;                           ///< what the machine takes, whatever the motor
 
   /// The speed at which a balanced rotor ends up: where motor and load are even for good. Empty if there is none.
   std::optional<double> final_speed() const;

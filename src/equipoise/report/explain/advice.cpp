@@ -239,7 +239,7 @@ std::optional<double> torque_at(const Study& study, double speed) {
     return model::drive_segments(study.motor()).front().torque(0.0, speed, 0.0);
   if (t.kind == Kind::table) return *std::max_element(t.values.begin(), t.values.end());
   if (t.integral != 0.0) return t.limit;  // the integral grows until the rotor is through, or the limit holds it
-  const double given = t.gain * (study.motor().target.final_speed() - speed);
+  const double given = t.gain * (study.motor().aim.final_speed() - speed);
   return t.limit ? std::min(given, *t.limit) : given;
 }
 

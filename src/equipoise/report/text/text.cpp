@@ -53,7 +53,7 @@ std::string motor_text(const Study& study) {
   else if (t.kind == Kind::table)
     law = fmt::format("torque by {} points in time", t.times.size());
   else if (t.kind == Kind::control)
-    law = fmt::format("speed control to {}, gain {}{}", speed(study.motor().target.final_speed()),
+    law = fmt::format("speed control to {}, gain {}{}", speed(study.motor().aim.final_speed()),
                       shown(t.gain, Dimension::gain),
                       t.limit ? fmt::format(", torque at most {}", torque(*t.limit)) : "");
   else

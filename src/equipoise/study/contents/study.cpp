@@ -101,22 +101,16 @@ double Study::release_time() const {
 
 model::MotorLaw Study::motor() const {
   const TorqueSetting& t = speed.torque;
-  model::MotorLaw law;
-  law.kind = t.kind;
-  law.constant = t.by_stall ? t.stall : t.constant;
-  law.slope = t.by_stall ? -t.stall / t.no_load_speed : t.slope;
-  law.until = t.until;
-  law.times = t.times;
-  law.values = t.values;
-  law.speeds = t.speeds;
+  model::MotorLaw law = t;
+  if (t.by_stall) {
+    law.constant = t.stall;
+    law.slope = -t.stall / t.no_load_speed;
+  }
   const LoadSetting& l = speed.load;
   law.load.constant = l.constant;
   if (l.linear != 0.0) law.load.linear = l.linear / *l.at;
   if (l.quadratic != 0.0) law.load.quadratic = l.quadratic / (*l.at * *l.at);
-  law.gain = t.gain;
-  law.integral = t.integral;
-  law.limit = t.limit;
-  if (t.kind == model::MotorLaw::Kind::control) law.target = ramp_profile(t.target);
+  if (t.kind == model::MotorLaw::Kind::control) law.aim = ramp_profile(t.target);
   return law;
 }
 

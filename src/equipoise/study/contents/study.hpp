@@ -57,22 +57,12 @@ struct RampSetting {
 /// The ramp function of a profile that is no motor's.
 model::SpeedProfile ramp_profile(const RampSetting& speed);
 
-/// speed.torque: the motor of a driven rotor, as in model::MotorLaw, by the keys that were given.
-struct TorqueSetting {
-  model::MotorLaw::Kind kind = model::MotorLaw::Kind::linear;
-  bool by_stall = false;        ///< linear, given by stall torque and no-load speed
-  double constant = 0.0;        ///< linear: tau = constant + slope psi' until `until`, then 0
-  double slope = 0.0;           ///< linear
-  std::optional<double> until;  ///< linear
-  double stall = 0.0;           ///< stall: torque at rest
-  double no_load_speed = 0.0;   ///< stall: speed at which the torque has fallen to 0
-  std::vector<double> times;    ///< table
-  std::vector<double> speeds;   ///< curve: increasing
-  std::vector<double> values;   ///< table, curve
-  double gain = 0.0;            ///< control: torque per speed error
-  double integral = 0.0;        ///< control: rate of torque per speed error
-  std::optional<double> limit;  ///< control: largest |tau|
-  RampSetting target;           ///< control
+/// speed.torque: the motor of a driven rotor by the keys that were given; Study::motor() has what follows from them.
+struct TorqueSetting : model::MotorLaw {
+  bool by_stall = false;       ///< linear, given by stall torque and no-load speed
+  double stall = 0.0;          ///< stall: torque at rest
+  double no_load_speed = 0.0;  ///< stall: speed at which the torque has fallen to 0
+  RampSetting target;          ///< control: `aim` follows from it
 };
 
 /// speed.load: what the machine takes of the motor's torque, against the rotation.
