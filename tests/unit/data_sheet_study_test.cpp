@@ -246,11 +246,11 @@ TEST(DataSheet, KnowsOilsByTheirGrade) {
   const auto details = [&](const Overrides& overrides) {
     Overrides all = overrides;
     all.push_back(steel);
-    const BallDetails d = parse_sheet(oiled, all).ball_details;
+    const DataSheet d = parse_sheet(oiled, all).sheet;
     EXPECT_TRUE(d.oil_viscosity && d.oil_density);
     return d;
   };
-  const BallDetails vg32 = details({"balancer.oil={ grade = 'ISO VG 32', at = '40 degC' }"});
+  const DataSheet vg32 = details({"balancer.oil={ grade = 'ISO VG 32', at = '40 degC' }"});
   EXPECT_NEAR(*vg32.oil_viscosity, 32e-6 * 870.0, 1e-12);
   EXPECT_EQ(*vg32.oil_density, 870.0);
   EXPECT_NEAR(*details({"balancer.oil={ grade = 'ISO VG 32', at = '104 degF' }"}).oil_viscosity, 32e-6 * 870.0, 1e-9);

@@ -65,8 +65,8 @@ TEST(StudyTree, IsReadInPhysicalUnitsToo) {
   ASSERT_TRUE(study.scales);
   EXPECT_EQ(study.scales->mass, 12.0);
   EXPECT_DOUBLE_EQ(study.parameters.eccentricity, 0.01);
-  ASSERT_EQ(study.ball_details.diameter.size(), 2u);
-  EXPECT_DOUBLE_EQ(study.ball_details.diameter[1], 0.009);
+  ASSERT_EQ(study.ball_diameters().size(), 2u);
+  EXPECT_DOUBLE_EQ(study.ball_diameters()[1], 0.009);
 }
 
 TEST(StudyTree, LeadsBackToTheSameStudy) {

@@ -12,11 +12,11 @@
 
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
-#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -312,9 +313,8 @@ std::vector<double> ball_widths(const Study& study) {
   const model::Parameters& p = study.parameters;
   const auto count = static_cast<std::size_t>(p.balls);
   std::vector<double> widths;
-  if (!study.ball_details.diameter.empty() && study.scales)
-    for (const double d : study.ball_details.diameter)
-      widths.push_back(2.0 * std::asin(0.5 * d / study.scales->length));
+  if (const std::span<const double> diameters = study.ball_diameters(); !diameters.empty() && study.scales)
+    for (const double d : diameters) widths.push_back(2.0 * std::asin(0.5 * d / study.scales->length));
   else if (p.balls_collide())
     widths.assign(count, p.contact_angle);
   else if (p.rolls)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
@@ -154,7 +155,8 @@ void check_pages(const Study& study) { reject_if_lacking(study, model::ResultKin
 Explanation explain(const Study& study, const StopFlag* stop) {
   Explanation e;
   const model::Parameters& p = study.parameters;
-  const BallDetails& balls = study.ball_details;
+  const DataSheet& sheet = study.sheet;
+  const std::span<const double> diameters = study.ball_diameters();
   e.study = study;
   e.quantities = quantity_table(study);
   put_final_speed(e);
@@ -166,12 +168,12 @@ Explanation explain(const Study& study, const StopFlag* stop) {
   if (p.balls > 0) linearise(e, stop);
   // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
-  if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {
+  if (e.speed && study.scales && sheet.oil_viscosity && sheet.oil_density && !diameters.empty()) {
     const double slip =
         std::max(0.0, std::abs(*e.speed) - std::min(e.critical_with_balls[0], e.critical_with_balls[1]));
-    const double largest = *std::max_element(balls.diameter.begin(), balls.diameter.end());
+    const double largest = *std::max_element(diameters.begin(), diameters.end());
     e.reynolds =
-        model::reynolds_number(*balls.oil_density, slip * study.scales->velocity(), largest, *balls.oil_viscosity);
+        model::reynolds_number(*sheet.oil_density, slip * study.scales->velocity(), largest, *sheet.oil_viscosity);
   }
   if (p.balls > 0 && !p.tilts()) e.advice = advice(e);
   add_warnings(e);

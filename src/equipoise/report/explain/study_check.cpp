@@ -185,8 +185,8 @@ class Assumptions {
   }
 
   void add_drag() {
-    if (!s_.ball_details.oil_viscosity) return;
-    const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *s_.ball_details.oil_viscosity);
+    if (!s_.sheet.oil_viscosity) return;
+    const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *s_.sheet.oil_viscosity);
     if (states("balancer.oil.grade")) {
       const bool mineral = s_.sheet.oil_grade.find("VG") != std::string::npos;
       list_.push_back(!mineral ? fmt::format("oil of {}, by the law of silicone oils", eta)

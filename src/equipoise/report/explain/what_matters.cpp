@@ -148,11 +148,11 @@ struct Change {
 
 // What 10 K more or less make of the drag; nothing beyond the law of the oil.
 std::optional<double> drag_factor(const Study& study, double kelvin) try {
-  if (!study.ball_details.oil_kelvin || !study.in_si) return std::nullopt;
+  if (!study.sheet.oil_at || !study.in_si) return std::nullopt;
   Study warmer = *study.in_si;
-  warmer.sheet.oil_at += kelvin;
+  *warmer.sheet.oil_at += kelvin;
   const Study then = study::nondimensionalise(warmer, study::refuse_in(warmer));
-  return *then.ball_details.oil_viscosity / *study.ball_details.oil_viscosity;
+  return *then.sheet.oil_viscosity / *study.sheet.oil_viscosity;
 } catch (const InputError&) {
   return std::nullopt;
 }
@@ -178,7 +178,7 @@ std::string how_judged(const Study& study) {
   return fmt::format(
       ". Unbalance, stiffness, damping, drag and ball mass were each varied by 20 %{}, by formulas and linear theory "
       "only",
-      study.ball_details.oil_kelvin ? ", and the oil by 10 K" : "");
+      study.sheet.oil_at ? ", and the oil by 10 K" : "");
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ std::string what_matters_most(const Study& study, const StopFlag* stop) {
     Effect effect = effect_of(study, before, measures_of(change.study, stop));
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);
-    const bool stokes = study.ball_details.oil_viscosity && change.of == drag_name;
+    const bool stokes = study.sheet.oil_viscosity && change.of == drag_name;
     which = fmt::format("{}{}. With {} {}, {}", change.of, stokes ? ", here from a formula" : "", change.amount,
                         change.more ? "more" : "less", worst.words);
   }

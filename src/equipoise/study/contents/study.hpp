@@ -193,15 +193,6 @@ struct SweepSetting {
   bool zip = false;
 };
 
-/// What a study in physical units says of its balls beyond the dimensionless numbers. In SI units; empty where it says
-/// nothing.
-struct BallDetails {
-  std::vector<double> diameter;         ///< one per ball
-  std::optional<double> oil_viscosity;  ///< dynamic, Pa s
-  std::optional<double> oil_density;    ///< kg/m^3
-  std::optional<double> oil_kelvin;     ///< its temperature, of an oil given by its grade
-};
-
 /// Of a study in physical units: the quantities, in SI units, that no dimensionless study has. What several keys may
 /// state, in one way each, is one member, here or of the parameters: Study::states() says in which.
 struct DataSheet {
@@ -223,15 +214,16 @@ struct DataSheet {
 
   // [balancer]; one entry a ball
   using Balls = std::array<double, model::max_balls>;
-  double race = 0.0;           ///< radius, or diameter, m
-  Balls diameter{};            ///< m
-  std::string material;        ///< whose density the balls have
-  bool drag_of_force = false;  ///< the drag is not a torque per rate, N m s, but a force per velocity, N s/m
-  double oil_viscosity = 0.0;  ///< dynamic, Pa s; or kinematic, m^2/s
-  bool kinematic = false;      ///< the latter
+  double race = 0.0;                    ///< radius, or diameter, m
+  Balls diameter{};                     ///< m
+  std::string material;                 ///< whose density the balls have
+  bool drag_of_force = false;           ///< the drag is not a torque per rate, N m s, but a force per velocity, N s/m
+  std::optional<double> oil_viscosity;  ///< dynamic, Pa s, or kinematic, m^2/s; nondimensionalise() leaves the dynamic
+  bool kinematic = false;               ///< the latter
   std::string oil_grade;
-  double oil_at = 0.0, oil_viscosity_100 = 0.0;  ///< K; m^2/s
-  double oil_density = 0.0, channel = 0.0;       ///< kg/m^3; m
+  std::optional<double> oil_at;                   ///< K, of an oil given by its grade
+  std::optional<double> oil_density;              ///< kg/m^3; nondimensionalise() puts that of an `oil`
+  double oil_viscosity_100 = 0.0, channel = 0.0;  ///< m^2/s; m
   bool contact = false;
 
   // [speed]: of the motor, at its own shaft
@@ -269,7 +261,10 @@ struct Study {
   using Keys = std::set<std::string, std::less<>>;
   std::shared_ptr<const Keys> stated;  ///< dotted keys of what was read
   bool states(std::string_view key) const { return stated && stated->contains(key); }
-  BallDetails ball_details;
+  /// Of the balls in m; empty if not stated.
+  std::span<const double> ball_diameters() const {
+    return {sheet.diameter.data(), sheet.diameter[0] > 0.0 ? static_cast<std::size_t>(parameters.balls) : 0};
+  }
   /// In physical units: from the axis of the rotor's own unbalance to the resultant with every [[place]], to which x of
   /// the model points. For a tilting rotor: from its angle 0 to the resultant couple unbalance. In radians.
   double direction_of_x = 0.0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,7 @@ std::string plain_name(std::string text) {
 class GradedOil {
  public:
   GradedOil(const Study& machine, const Refuse& refuse)
-      : machine_(machine), grade_(machine.sheet.oil_grade), kelvin_(machine.sheet.oil_at), refuse_(refuse) {}
+      : machine_(machine), grade_(machine.sheet.oil_grade), kelvin_(*machine.sheet.oil_at), refuse_(refuse) {}
 
   Oil oil() const {
     constexpr std::string_view silicone = "silicone";
@@ -121,7 +122,7 @@ class Balls {
         radius_(study.scales->length),
         study_(study),
         p_(study.parameters),
-        details_(study.ball_details),
+        diameters_(machine.ball_diameters()),
         refuse_(refuse) {}
 
   void put() {
@@ -138,7 +139,7 @@ class Balls {
   bool states(const std::string& key) const { return machine_.states("balancer." + key); }
   void refuse(const std::string& key, const std::string& problem) const { refuse_("balancer." + key, problem); }
   void need_diameter(std::string_view key) const {
-    if (details_.diameter.empty()) refuse(std::string(key), needs_diameter);
+    if (diameters_.empty()) refuse(std::string(key), needs_diameter);
   }
 
   std::vector<double> masses() const {
@@ -149,7 +150,7 @@ class Balls {
     need_diameter(from);
     if (from == "ball_material") mass.assign(mass.size(), model::find_ball_material(d_.material)->density);
     for (std::size_t i = 0; i < mass.size(); ++i) {
-      const double d = details_.diameter[i];
+      const double d = diameters_[i];
       mass[i] *= pi / 6.0 * d * d * d;
     }
     return mass;
@@ -169,17 +170,17 @@ class Balls {
   }
 
   void put_oil(std::string_view from) const {
-    if (states("oil_density")) details_.oil_density = d_.oil_density;
+    DataSheet& known = study_.sheet;
     if (from == "oil") {
       const Oil oil = GradedOil(machine_, refuse_).oil();
-      details_.oil_density = details_.oil_density.value_or(oil.density);
-      details_.oil_kelvin = d_.oil_at;
-      details_.oil_viscosity = oil.kinematic_viscosity * *details_.oil_density;
+      known.oil_density = d_.oil_density.value_or(oil.density);
+      known.oil_viscosity = oil.kinematic_viscosity * *known.oil_density;
       return;
     }
-    if (d_.kinematic && !details_.oil_density)
+    if (!d_.kinematic) return;
+    if (!d_.oil_density)
       refuse("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
-    details_.oil_viscosity = d_.kinematic ? d_.oil_viscosity * *details_.oil_density : d_.oil_viscosity;
+    known.oil_viscosity = *d_.oil_viscosity * *d_.oil_density;
   }
 
   std::vector<double> drag_in_oil(std::string_view from) const {
@@ -187,13 +188,13 @@ class Balls {
     need_diameter(from);
     const bool in_channel = states("channel_diameter");
     std::vector<double> drag;
-    for (const double d : details_.diameter) {
+    for (const double d : diameters_) {
       if (in_channel && !at_most(d, model::widest_ball_in_channel * d_.channel))
         refuse("channel_diameter",
                fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the channel; "
                            "in a closer fit measure the drag and state balancer.drag",
                            1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
-      drag.push_back(model::stokes_drag(*details_.oil_viscosity, d) *
+      drag.push_back(model::stokes_drag(*study_.sheet.oil_viscosity, d) *
                      (in_channel ? model::wall_correction(d / d_.channel) : 1.0) * radius_ * radius_);
     }
     return drag;
@@ -205,18 +206,17 @@ class Balls {
       if (states("contact")) refuse("contact", "give either balancer.contact_angle or balancer.contact, not both");
       return;
     }
-    const std::vector<double>& diameter = details_.diameter;
     const bool one_size =
-        std::all_of(diameter.begin(), diameter.end(), [&](double d) { return d == diameter.front(); });
-    if (!(states("contact") ? d_.contact : !diameter.empty() && one_size)) return;
+        std::all_of(diameters_.begin(), diameters_.end(), [&](double d) { return d == diameters_.front(); });
+    if (!(states("contact") ? d_.contact : !diameters_.empty() && one_size)) return;
     need_diameter("contact");
     if (!one_size) refuse("contact", "needs balls of one diameter");
     if (p_.balls == 1) return;
     const double widest = 2.0 * radius_ * std::sin(pi / p_.balls);
-    if (diameter.front() >= widest)
+    if (diameters_.front() >= widest)
       refuse("ball_diameter", fmt::format("must be less than {:.6g} mm: at that size {} touching balls fill the race",
                                           1000.0 * widest, p_.balls));
-    p_.contact_angle = 2.0 * std::asin(0.5 * diameter.front() / radius_);
+    p_.contact_angle = 2.0 * std::asin(0.5 * diameters_.front() / radius_);
   }
 
   const Study& machine_;
@@ -224,7 +224,7 @@ class Balls {
   const double radius_;
   Study& study_;
   model::Parameters& p_;
-  BallDetails& details_;
+  const std::span<const double> diameters_;
   const Refuse& refuse_;
 };
 
@@ -234,9 +234,7 @@ double put_race(const Study& machine, Study& study, const Refuse& refuse) {
   const bool stated = machine.states("balancer.ball_radius");
   const double race =
       machine.sheet.race * (way_of(machine, "balancer.race_radius", refuse) == "race_diameter" ? 0.5 : 1.0);
-  std::vector<double>& diameter = study.ball_details.diameter;
-  if (machine.states("balancer.ball_diameter"))
-    diameter.assign(machine.sheet.diameter.begin(), machine.sheet.diameter.begin() + machine.parameters.balls);
+  const std::span<const double> diameter = machine.ball_diameters();
   for (const double d : diameter)
     if (d >= 2.0 * race) refuse("balancer.ball_diameter", "must be less than the diameter of the race");
   if (!machine.parameters.rolls) return race;
