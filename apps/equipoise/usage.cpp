@@ -20,15 +20,10 @@ namespace {
 
 // " (is "basin" meant?)", or nothing if no name is near.
 std::string meant(const std::string& typed, const std::vector<std::string>& names) {
-  std::string best;
-  std::size_t least = 1 + std::min<std::size_t>(2, typed.size() / 2);
-  for (const std::string& name : names) {
-    const bool begins = typed.size() >= 3 && name.starts_with(typed);
-    const std::size_t away = begins ? 0 : edit_distance(typed, name);
-    if (away >= least) continue;
-    least = away;
-    best = name;
-  }
+  const auto begins = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    return typed.size() >= 3 && name.starts_with(typed);
+  });
+  const std::string best = begins != names.end() ? *begins : nearest_name(typed, names);
   return best.empty() ? "" : fmt::format(" (is \"{}\" meant?)", best);
 }
 

@@ -13,9 +13,6 @@ std::string in_small_letters(std::string_view text);
 /// Whether `names`, which blanks separate, hold `name`.
 bool is_among(std::string_view names, std::string_view name);
 
-/// Edits that make one text of the other: a letter more, less or another, or two neighbours that changed places.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// The nearest of `known` whose letters differ at most in two places and in less than half of `given`, small and
 /// capital letters being alike; empty if there is none.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);

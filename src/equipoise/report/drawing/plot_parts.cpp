@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/plural.hpp"
+#include "equipoise/results/commands/branch.hpp"
 #include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
@@ -34,13 +37,19 @@ const char* colour_of(int code) {
   return colours[static_cast<std::size_t>(code - 1) % colours.size()];
 }
 
+namespace {
+// With signs for what a terminal writes as words.
+std::string in_signs(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> signs[] = {
+      {"Omega", "Ω"}, {"lambda", "λ"}, {"zeta", "ζ"}, {"kappa", "κ"}, {"mu", "μ"}, {"beta", "β"}, {"sqrt", "√"}};
+  for (const auto& [word, sign] : signs)
+    if (const std::size_t at = text.find(word); at != std::string::npos) text.replace(at, word.size(), sign);
+  return text;
+}
+}  // namespace
+
 std::string axis_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / √(k/M)";
-  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
-  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
-  if (key == "rotor.stiffness") return "support stiffness κ";
-  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
-  if (key == "balancer.drag") return "drag of a ball β";
+  if (const std::string label = parameter_label(key); label != key) return in_signs(label);
   constexpr std::string_view angle = "initial.phi_";
   if (key.starts_with(angle) && !key.starts_with("initial.phi_dot"))
     return fmt::format("initial angle of ball {0}, φ{0} (rad)", key.substr(angle.size()));

@@ -124,9 +124,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A misspelling is at most this many edits away.
-constexpr std::size_t nearest_distance = 2;
-
 Names names_in(const std::vector<Key>& keys) {
   Names names;
   for (const Key& key : keys) names.emplace_back(key.name);
@@ -193,10 +190,7 @@ bool extends(std::string_view longer, std::string_view shorter) {
 
 // The known name that was probably meant, or an empty one.
 std::string meant(std::string_view key, const Names& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
-  });
-  if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
+  if (std::string nearest = nearest_name(key, known); !nearest.empty()) return nearest;
   for (const auto& [name, said] : other_names)
     if (is_among(said, key) && holds(known, name)) return std::string(name);
   for (const std::string& name : known)
@@ -211,10 +205,6 @@ std::string likely(std::string_view table, std::string_view key, const Names& kn
 }
 
 }  // namespace
-
-bool nearly_same(std::string_view a, std::string_view b) {
-  return a.size() <= longest_shown && b.size() <= longest_shown && edit_distance(a, b) <= nearest_distance;
-}
 
 std::string unknown_key(std::string_view table, std::string_view key, const Names& known) {
   const std::string other = likely(table, key, known);

@@ -216,10 +216,11 @@ std::size_t entry_of(std::string_view table) {
 
 const StudyValue& TableReader::require(const std::string& key, const std::string& wanted) {
   if (const StudyValue* value = find(key)) return *value;
-  std::string hint;
+  std::vector<std::string> there;
   if (table_)
-    for (const auto& [other, value] : *table_->table())
-      if (nearly_same(key, other)) hint = fmt::format(" (is \"{}\" meant for it?)", printable(other));
+    for (const auto& [other, value] : *table_->table()) there.push_back(other);
+  const std::string near = nearest_name(key, there);
+  const std::string hint = near.empty() ? "" : fmt::format(" (is \"{}\" meant for it?)", printable(near));
   throw InputError(file_.where(dotted(key), nullptr), dotted(key), "",
                    fmt::format("missing{}; must be {}", hint, wanted));
 }

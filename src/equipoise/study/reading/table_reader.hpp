@@ -158,9 +158,6 @@ bool takes_distributions(const std::string& dotted);
 /// distribution are left to the reader. Throws InputError for numbers that make none.
 std::vector<UncertainValue> take_uncertain(StudyFile& file);
 
-/// Few enough edits apart that one is a misspelling of the other.
-bool nearly_same(std::string_view a, std::string_view b);
-
 /// "unknown key; did you mean "stiffness"? (allowed: ...)". `table`: dotted name of the table that holds it, or empty;
 /// `known`: the keys that the table may hold.
 std::string unknown_key(std::string_view table, std::string_view key, const std::vector<std::string>& known);
