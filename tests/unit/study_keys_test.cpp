@@ -64,12 +64,8 @@ void for_each_key(Visit&& visit) {
     for (const KeyTable& table : study::key_tables()) {
       if (table.name == "units" && !base.scales) continue;
       if (table.name.starts_with("speed.") && !base.speed.driven()) continue;
-      const auto& torque = base.speed.torque;
-      if (table.name == "speed.torque.target" && torque.kind != model::MotorLaw::Kind::control) continue;
-      const unsigned variants = table.name == "speed"          ? study::variant_of(base.speed.profile)
-                                : table.name == "speed.torque" ? study::variants_of(torque)
-                                                               : study::variant_of(torque.target.profile);
-      for (const Key& key : table.of(variants, false))
+      if (table.name == "speed.torque.target" && base.speed.torque.kind != model::MotorLaw::Kind::control) continue;
+      for (const Key& key : table.of(study::variants_in(base, table.name), false))
         if (is_of_tilt(table, key) == base.parameters.tilts()) visit(text, base, table, key);
     }
   }

@@ -241,9 +241,7 @@ std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormF
   for (const char* name : told_tables) {
     const study::KeyTable* table = study::find_keys(name);
     if (!table || table->name == "place" || table->name == "units") continue;
-    const bool speed = table->name == "speed";
-    for (const study::Key& key :
-         table->of(speed ? study::variant_of(study.speed.profile) : study::all_variants, study.scales.has_value())) {
+    for (const study::Key& key : table->of(study::variants_in(study, table->name), study.scales.has_value())) {
       const std::string dotted = table->name + "." + key.name;
       const bool twice = std::any_of(offered.begin(), offered.end(), [&](const auto& o) { return o.key == dotted; });
       if (!twice && !shown(dotted)) offered.push_back({dotted, label_of(dotted), key.meaning(study.scales.has_value())});

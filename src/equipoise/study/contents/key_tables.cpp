@@ -120,6 +120,12 @@ unsigned variants_of(const TorqueSetting& motor) {
   return motor.by_stall ? variants : linear;
 }
 
+unsigned variants_in(const Study& study, std::string_view table) {
+  if (table == "speed") return variant_of(study.speed.profile);
+  if (table == "speed.torque") return variants_of(study.speed.torque);
+  return table == "speed.torque.target" ? variant_of(study.speed.torque.target.profile) : all_variants;
+}
+
 namespace {
 
 using Names = std::vector<std::string>;

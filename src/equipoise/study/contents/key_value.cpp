@@ -178,12 +178,9 @@ struct KeyEcho {
 bool may_state(const Study& study, const KeyTable& table, const Key& key) {
   const SpeedSetting& speed = study.speed;
   const std::string_view name = key.name;
-  if (table.name == "speed") return !key.variants() || key.variants() & variant_of(speed.profile);
-  if (table.name == "speed.torque") return speed.driven() && key.variants() & variants_of(speed.torque);
-  if (table.name == "speed.torque.target")
-    return speed.driven() && speed.torque.kind == model::MotorLaw::Kind::control &&
-           key.variants() & variant_of(speed.torque.target.profile);
-  if (table.name == "speed.load") return speed.driven();
+  if (key.variants() && !(key.variants() & variants_in(study, table.name))) return false;
+  if (table.name.starts_with("speed.") && !speed.driven()) return false;
+  if (table.name == "speed.torque.target" && speed.torque.kind != model::MotorLaw::Kind::control) return false;
   if (table.name == "rotor.tilt" || name == "plane" || name == "eccentricity_angle") return study.parameters.tilts();
   return table.drawn() && (name != "ball_radius" || study.parameters.rolls);
 }
@@ -215,8 +212,8 @@ void read_key(TableReader& reader, const Key& key, Study& study, bool required) 
   if (key.other) study.sheet.*key.other->given = reader.measured() == key.other->dimension;
 }
 
-void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
-  for (const Key& key : key_table(table).of(variants, reader.physical())) read_key(reader, key, study);
+void read_keys(TableReader& reader, const char* table, Study& study) {
+  for (const Key& key : key_table(table).of(variants_in(study, table), reader.physical())) read_key(reader, key, study);
 }
 
 std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry, bool physical) {

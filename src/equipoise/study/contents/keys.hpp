@@ -144,6 +144,8 @@ inline bool is_machine(std::string_view table) {
 
 unsigned variant_of(Profile profile);
 unsigned variants_of(const TorqueSetting& torque);
+/// Of such a table in this study; all where tables have none.
+unsigned variants_in(const Study& study, std::string_view table);
 
 /// What a number of the key must be, in a study in physical units or in a dimensionless one.
 Wanted wanted_of(const Key& key, bool physical);
@@ -151,8 +153,8 @@ Wanted wanted_of(const Key& key, bool physical);
 Range range_in(const Study& study, const Key& key);
 /// Reads the key from the table into its member, which otherwise keeps its value. `required`: whatever its traits say.
 void read_key(TableReader& reader, const Key& key, Study& study, bool required = false);
-/// Reads the keys that a table has in these variants.
-void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
+/// Reads the keys that a table has in the study's variants of it.
+void read_keys(TableReader& reader, const char* table, Study& study);
 /// The member as written in a study; empty if it is not set. `physical`: of a study with scales, as quantities.
 std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry = 0, bool physical = false);
 

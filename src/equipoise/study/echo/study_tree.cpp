@@ -17,9 +17,9 @@ namespace {
 using namespace study;
 
 // A table's keys that a dimensionless study has, as quantities if `physical`.
-StudyValue table_of(std::string_view name, const Study& study, bool physical = false,
-                    unsigned variants = all_variants) {
+StudyValue table_of(std::string_view name, const Study& study, bool physical = false) {
   StudyValue table;
+  const unsigned variants = variants_in(study, name);
   for (const Key& key : key_table(name).keys)
     if (key.in_form(false) && (!key.variants() || key.variants() & variants) && (!key.echoed || key.echoed(study)))
       if (auto value = value_of(key, study, entry_of(name), physical)) table.set(key.name, *std::move(value));
@@ -33,10 +33,9 @@ void move_to_end(StudyValue& table, const char* key) {
 }
 
 StudyValue torque_table(const Study& study, bool physical) {
-  const TorqueSetting& t = study.speed.torque;
-  StudyValue torque = table_of("speed.torque", study, physical, variants_of(t));
-  if (t.kind != model::MotorLaw::Kind::control) return torque;
-  torque.set("target", table_of("speed.torque.target", study, physical, variant_of(t.target.profile)));
+  StudyValue torque = table_of("speed.torque", study, physical);
+  if (study.speed.torque.kind == model::MotorLaw::Kind::control)
+    torque.set("target", table_of("speed.torque.target", study, physical));
   return torque;
 }
 
@@ -45,8 +44,7 @@ StudyValue tree_with_medians(const Study& study, bool physical = false) {
   for (const KeyTable& keys : key_tables()) {
     const std::string& name = keys.name;
     if (keys.is_inner() || name == "sweep" || (name == "units" && (!study.scales || physical))) continue;
-    StudyValue table =
-        table_of(name, study, physical, name == "speed" ? variant_of(study.speed.profile) : all_variants);
+    StudyValue table = table_of(name, study, physical);
     if (name == "speed") {
       move_to_end(table, "law");
       if (study.speed.driven()) table.set("torque", torque_table(study, physical));

@@ -31,7 +31,7 @@ void read_array(const StudyFile& file, const char* key, const char* wanted, std:
   for (std::size_t i = 1; i <= array->size(); ++i) {
     entries.emplace_back();
     TableReader reader(file, fmt::format("{}.{}", key, i));
-    read_keys(reader, key, all_variants, study);
+    read_keys(reader, key, study);
     reader.finish();
   }
 }
@@ -81,10 +81,8 @@ void read_tilt(const StudyFile& file, Study& study) {
   TableReader tilt(file, "rotor.tilt");
   const bool by_bearings = file.physical && tilt.has("bearings");
   if (by_bearings) read_bearings(file, tilt, study);
-  for (const Key& key : key_table("rotor.tilt").of(all_variants, file.physical)) {
-    const std::string_view name = key.name;
-    read_key(tilt, key, study, !by_bearings && (name == "stiffness" || name == "damping"));
-  }
+  for (const Key& key : key_table("rotor.tilt").of(all_variants, file.physical))
+    read_key(tilt, key, study, !by_bearings && key.has(Key::replaceable));
   tilt.finish();
   if (file.physical)
     read_array(file, "rotor.tilt.unbalance",
@@ -106,7 +104,7 @@ void read_places(const StudyFile& file, Study& study) {
 void read_oil(const StudyFile& file, Study& study) {
   TableReader oil(file, "balancer.oil");
   oil.require("grade", "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"");
-  read_keys(oil, "balancer.oil", all_variants, study);
+  read_keys(oil, "balancer.oil", study);
   oil.finish();
 }
 
@@ -130,7 +128,7 @@ std::optional<double> grade_named(const std::string& text) {
 void read_rotor(const StudyFile& file, Study& study) {
   TableReader reader(file, "rotor");
   if (reader.has("damping_ratio")) refuse_percentage(file, reader.require("damping_ratio", ""));
-  read_keys(reader, "rotor", all_variants, study);
+  read_keys(reader, "rotor", study);
   reader.finish();
   if (reader.has("tilt")) read_tilt(file, study);
   if (!file.physical) return;
@@ -167,7 +165,7 @@ void read_target(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed.torque.target");
   Profile& profile = study.speed.torque.target.profile;
   profile = reader.choice<Profile>("profile", std::span(profile_names).first(target_profiles));
-  read_keys(reader, "speed.torque.target", variant_of(profile), study);
+  read_keys(reader, "speed.torque.target", study);
   reader.finish();
 }
 
@@ -176,8 +174,9 @@ bool read_nameplate(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed.torque");
   const KeyTable& keys = key_table("speed.torque");
   if (!reader.has("power") && !reader.has("rated_torque")) {
-    for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
-      if (reader.has(key)) reader.fail(key, "belongs to a nameplate, which needs speed.torque.power or rated_torque");
+    for (const Key& key : keys.keys)
+      if (key.has(Key::physical) && reader.has(key.name))
+        reader.fail(key.name, "belongs to a nameplate, which needs speed.torque.power or rated_torque");
     return false;
   }
   for (const char* key : {"speeds", "values", "times", "stall", "no_load_speed", "constant", "slope", "gain", "target"})
@@ -206,7 +205,7 @@ void read_torque(const StudyFile& file, Study& study) {
     motor.kind = Kind::table;
   else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
     motor.kind = Kind::control;
-  read_keys(reader, "speed.torque", variants_of(motor), study);
+  read_keys(reader, "speed.torque", study);
   if (motor.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
     read_target(file, study);
@@ -216,7 +215,7 @@ void read_torque(const StudyFile& file, Study& study) {
 
 void read_load(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed.load");
-  read_keys(reader, "speed.load", all_variants, study);
+  read_keys(reader, "speed.load", study);
   reader.finish();
 }
 
@@ -238,7 +237,7 @@ void read_speed(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed");
   read_key(reader, *key_table("speed").find("profile", false), study);
   if (file.physical) check_sheet(file, study.speed);
-  for (const Key& key : key_table("speed").of(variant_of(study.speed.profile), file.physical))
+  for (const Key& key : key_table("speed").of(variants_in(study, "speed"), file.physical))
     if (key.name != std::string_view("duration") || !study.states("speed.run_up")) read_key(reader, key, study);
   if (study.speed.profile == Profile::hill && study.speed.law != model::SpeedLaw::kinematic)
     reader.fail("law", "must be \"kinematic\": the rotor turns at the speed that a Hill function states");

@@ -31,7 +31,7 @@ using namespace study;
 
 void read_table(const StudyFile& file, const char* table, Study& study) {
   TableReader reader(file, table);
-  read_keys(reader, table, all_variants, study);
+  read_keys(reader, table, study);
   reader.finish();
 }
 
