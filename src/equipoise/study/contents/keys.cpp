@@ -65,8 +65,8 @@ Member nowhere(Study&, std::size_t) { return {}; }
 constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
 constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7}, shares{0.0, 1.0, true, true}, up_to_ten{0.0, 10.0, true},
     from_one{1.0, 10.0, true}, counts{0.0, model::max_balls}, exponents{1.0, 50.0};
-constexpr Range ratio{0.0, 1e30}, quality{0.0, 1e30, true},
-    si_size{1e-30, 1e30};  // products of three such sizes stay finite
+constexpr Range ratio{0.0, largest_si}, quality{0.0, largest_si, true},
+    si_size{smallest_si, largest_si};  // products of three such sizes stay finite
 constexpr unsigned nameplate = physical | characteristic;
 constexpr Range any = any_number;
 constexpr std::nullopt_t bare = std::nullopt;  // no quantity

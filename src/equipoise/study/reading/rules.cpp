@@ -79,6 +79,12 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
   none(rolling ? "rolling" : "stiction", p.balls_stick());
 }
 
+// A dimensionless value in a study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
+std::string in_own_unit(double value, Dimension dimension, const std::optional<model::Scales>& scales) {
+  const ShownUnit unit = shown_unit(dimension, scales);
+  return scales ? fmt::format("{:.6g} {}", value * unit.size, unit.name) : fmt::format("{}", value);
+}
+
 // Times or speeds must increase, and each needs a value.
 void check_points(const std::string& table, bool times, const std::vector<double>& points, const char* values_key,
                   const std::vector<double>& values, const std::optional<model::Scales>& scales, const Refuse& refuse) {
@@ -87,7 +93,7 @@ void check_points(const std::string& table, bool times, const std::vector<double
     if (!(points[i] > points[i - 1]))
       refuse(fmt::format("{}.{}", table, key),
              fmt::format("{} out of order: entry {} must be greater than {}", key, i + 1,
-                         times ? time_text(points[i - 1], scales) : speed_text(points[i - 1], scales)));
+                         in_own_unit(points[i - 1], times ? Dimension::time : Dimension::speed, scales)));
   if (points.size() != values.size())
     refuse(fmt::format("{}.{}", table, values_key),
            fmt::format("has {} entries; must have one per {}, {}", values.size(), times ? "time" : "speed",
@@ -100,7 +106,7 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const std::op
   const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
     if (!(time > earlier))
       refuse(fmt::format("{}.{}", table, key),
-             fmt::format("must be greater than {}, {}", before, time_text(earlier, scales)));
+             fmt::format("must be greater than {}, {}", before, in_own_unit(earlier, Dimension::time, scales)));
   };
   if (ramp.profile == Profile::trapezoid) {
     check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
@@ -112,7 +118,7 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const std::op
   }
   if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
     refuse(fmt::format("{}.until", table),
-           fmt::format("must be at least {}, {}", "half_time", time_text(ramp.half_time, scales)));
+           fmt::format("must be at least {}, {}", "half_time", in_own_unit(ramp.half_time, Dimension::time, scales)));
 }
 
 void check_torque(const TorqueSetting& motor, const std::optional<model::Scales>& scales, const Refuse& refuse) {
@@ -165,7 +171,8 @@ void check_release(const Study& study, const Refuse& refuse) {
   if (!release.speed || study.speed.driven()) return;
   const model::SpeedProfile profile = study.speed_profile();
   if (!profile.first_time_at(*release.speed))
-    refuse("release.speed", never_reached(profile, [&](double speed) { return speed_text(speed, study.scales); }));
+    refuse("release.speed",
+           never_reached(profile, [&](double speed) { return in_own_unit(speed, Dimension::speed, study.scales); }));
 }
 
 // Balls that are held at first have no rates, stated or drawn, and nothing else of the start is drawn.
@@ -181,7 +188,7 @@ void check_held_balls(const Study& study, const Refuse& refuse) {
       refuse(fmt::format("sampling.box.{}", key),
              fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls share "
                          "one spin-up); set release.time = 0 or leave [sampling.box] out",
-                         time_text(release, study.scales)));
+                         in_own_unit(release, Dimension::time, study.scales)));
 }
 
 }  // namespace

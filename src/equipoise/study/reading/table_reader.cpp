@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/core/base/read_number.hpp"
@@ -223,15 +222,6 @@ const StudyValue& TableReader::require(const std::string& key, const std::string
   const std::string hint = near.empty() ? "" : fmt::format(" (is \"{}\" meant for it?)", printable(near));
   throw InputError(file_.where(dotted(key), nullptr), dotted(key), "",
                    fmt::format("missing{}; must be {}", hint, wanted));
-}
-
-std::string time_text(double time, const std::optional<model::Scales>& scales) {
-  return scales ? fmt::format("{:.6g} s", time * scales->time()) : fmt::format("{}", time);
-}
-
-std::string speed_text(double speed, const std::optional<model::Scales>& scales) {
-  constexpr double rpm = pi / 30.0;
-  return scales ? fmt::format("{:.6g} rpm", speed * scales->frequency / rpm) : fmt::format("{}", speed);
 }
 
 std::string TableReader::kind(const StudyValue& value) {

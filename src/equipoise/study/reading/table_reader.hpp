@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/machine/datasheet/scales.hpp"
 #include "equipoise/study/contents/uncertain.hpp"
 #include "equipoise/study/toml/study_value.hpp"
 #include "equipoise/study/units/units.hpp"
@@ -76,10 +75,6 @@ struct StudyFile {
   /// Throws an InputError about the key.
   [[noreturn]] void fail(const std::string& dotted_key, const std::string& problem) const;
 };
-
-/// A dimensionless time or speed in a study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
-std::string time_text(double time, const std::optional<model::Scales>& scales);
-std::string speed_text(double speed, const std::optional<model::Scales>& scales);
 
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML. Other text that does not begin like an
 /// array, table or string counts as a string: --set speed.law=published.
