@@ -11,10 +11,10 @@
 
 #include "equipoise/analyses/design/problem.hpp"
 #include "equipoise/analyses/design/settings.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
 #include "equipoise/machine/datasheet/materials.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"
-#include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
@@ -226,13 +226,13 @@ void read_spin_up(const DesignEntry& entry, const Study& study, DesignVariable& 
 
 void DesignEntry::fail(const std::string& problem) const {
   const std::string dotted = table_ + "." + key_;
-  throw InputError(file_.where(table_, &value_), study::printable(dotted), file_.value_text(dotted, value_), problem);
+  throw InputError(file_.where(table_, &value_), shown_text(dotted), file_.value_text(dotted, value_), problem);
 }
 
 void DesignEntry::allow_only(std::initializer_list<std::string_view> members) const {
   for (const auto& [name, value] : *value_.table())
     if (std::find(members.begin(), members.end(), name) == members.end())
-      fail(fmt::format("has an unknown entry \"{}\"; {}", study::printable(name), forms));
+      fail(fmt::format("has an unknown entry \"{}\"; {}", shown_text(name), forms));
 }
 
 std::optional<WrittenNumber> DesignEntry::number(const StudyValue& written) const {

@@ -34,9 +34,10 @@ std::size_t character_length(std::string_view text, std::size_t at) {
   return length;
 }
 
-std::string display_text(std::string_view text) {
+std::string display_text(std::string_view text, std::size_t longest) {
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {
+    if (shown.size() >= longest) return shown + "...";
     const std::size_t length = character_length(text, at);
     const unsigned char lead = byte_at(text, at), next = byte_at(text, at + 1);
     if (length == 0)

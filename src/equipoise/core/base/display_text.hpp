@@ -10,8 +10,11 @@
 namespace equipoise {
 
 /// Valid UTF-8 on one line. Other bytes become U+FFFD. Control characters, and those that change the direction of
-/// writing, become escapes such as \u001B.
-std::string display_text(std::string_view text);
+/// writing, become escapes such as \u001B. What is longer is cut at a whole character and ends in "...".
+std::string display_text(std::string_view text, std::size_t longest = std::string_view::npos);
+/// The same of what a message quotes.
+inline constexpr std::size_t longest_shown = 60;
+inline std::string shown_text(std::string_view text) { return display_text(text, longest_shown); }
 /// The same, but line ends and tabs stay.
 std::string display_lines(std::string_view text);
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/nearest_name.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/toml/printable.hpp"
 
 namespace equipoise::study {
 
@@ -224,7 +224,7 @@ void check_tables(const StudyFile& file) {
     if (!table.is_inner()) tables.push_back(table.name);
   for (const auto& [name, value] : *file.root.table())
     if (!holds(tables, name))
-      throw InputError(file.where(name, &value), printable(name), file.value_text("", value),
+      throw InputError(file.where(name, &value), shown_text(name), file.value_text("", value),
                        unknown_key("", name, tables));
 }
 
@@ -242,7 +242,8 @@ void check_keys_of(const StudyFile& file, bool physical, const KeyTable& list, c
     });
     if (home != key_tables().end() && likely(list.name, name, known).empty())
       problem += fmt::format("; [{}] has a key of this name", home->name);
-    throw InputError(file.where(dotted, &value), path + "." + printable(name), file.value_text(dotted, value), problem);
+    throw InputError(file.where(dotted, &value), path + "." + shown_text(name), file.value_text(dotted, value),
+                     problem);
   }
 }
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
@@ -21,7 +22,6 @@
 #include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
-#include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 
 namespace equipoise {
@@ -119,7 +119,7 @@ void check_ends(const StudyFile& file, const Study& study) {
         drawn_study(study, draw);
       } catch (const InputError& e) {
         const std::string key = e.key().empty() || e.key() == values[k].key ? "" : e.key() + " ";
-        file.fail(values[k].key, fmt::format("with {}: {}{}", printable(values[k].text(end)), key, e.problem()));
+        file.fail(values[k].key, fmt::format("with {}: {}{}", shown_text(values[k].text(end)), key, e.problem()));
       }
     }
 }

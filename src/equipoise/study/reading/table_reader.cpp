@@ -15,7 +15,6 @@
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/toml/overrides.hpp"
-#include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/units.hpp"
 
@@ -78,9 +77,9 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
   } catch (const TextFault& fault) {
     if (const auto number = number_beside_point(value)) return *number;
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
-    throw InputError(overrides_name, printable(key), printable(value), fault.problem);
+    throw InputError(overrides_name, shown_text(key), shown_text(value), fault.problem);
   }
-  throw InputError(overrides_name, printable(key), printable(value), "must be a single TOML value");
+  throw InputError(overrides_name, shown_text(key), shown_text(value), "must be a single TOML value");
 }
 
 // speed.final names the final speed whatever the profile.
@@ -100,20 +99,20 @@ void apply_override(StudyFile& file, const std::string& text) {
   const bool has_empty_part =
       key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (has_empty_part || value.empty())
-    throw InputError(std::string(overrides_name) + " " + printable(text), "", "",
+    throw InputError(std::string(overrides_name) + " " + shown_text(text), "", "",
                      "must be key=value, for example rotor.eccentricity=0.02");
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
-    throw InputError(overrides_name, printable(key), printable(value),
+    throw InputError(overrides_name, shown_text(key), shown_text(value),
                      "unknown key: more parts than any key of a study has");
 
   StudyValue parsed = parse_value(key, value);
   StudyValue* table = &file.root;
   std::size_t begin = 0;
   const auto entry_of_array = [&](const std::string& part) {
-    const std::string name = printable(key.substr(0, begin - 1));
+    const std::string name = shown_text(key.substr(0, begin - 1));
     StudyValue* entry = table->find(part);
     if (!entry)
-      throw InputError(overrides_name, printable(key), printable(value),
+      throw InputError(overrides_name, shown_text(key), shown_text(value),
                        fmt::format("{} has entries {}.1 to {}.{}", name, name, name, table->array()->size()));
     return entry;
   };
@@ -126,8 +125,8 @@ void apply_override(StudyFile& file, const std::string& text) {
     }
     table = inner;
     if (!table->table() && !holds_tables(*table))
-      throw InputError(overrides_name, printable(key), printable(value),
-                       fmt::format("\"{}\" is not a table", printable(key.substr(0, dot))));
+      throw InputError(overrides_name, shown_text(key), shown_text(value),
+                       fmt::format("\"{}\" is not a table", shown_text(key.substr(0, dot))));
   }
   if (table->array())
     *entry_of_array(key.substr(begin)) = std::move(parsed);
@@ -141,7 +140,7 @@ void apply_override(StudyFile& file, const std::string& text) {
 std::string shown(const StudyValue& value) {
   std::string text;
   append_shown(text, value);
-  return printable(text);
+  return shown_text(text);
 }
 
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
@@ -219,7 +218,7 @@ const StudyValue& TableReader::require(const std::string& key, const std::string
   if (table_)
     for (const auto& [other, value] : *table_->table()) there.push_back(other);
   const std::string near = nearest_name(key, there);
-  const std::string hint = near.empty() ? "" : fmt::format(" (is \"{}\" meant for it?)", printable(near));
+  const std::string hint = near.empty() ? "" : fmt::format(" (is \"{}\" meant for it?)", shown_text(near));
   throw InputError(file_.where(dotted(key), nullptr), dotted(key), "",
                    fmt::format("missing{}; must be {}", hint, wanted));
 }
@@ -354,7 +353,7 @@ void TableReader::finish() const {
   if (!table_) return;
   for (const auto& [name, value] : *table_->table())
     if (!has_asked(name))
-      throw InputError(file_.where(dotted(name), &value), dotted(printable(name)),
+      throw InputError(file_.where(dotted(name), &value), dotted(shown_text(name)),
                        file_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
 }
 

@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise::study {
@@ -40,7 +40,7 @@ class DistributionReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(file_.where(value_.key, &table_), printable(value_.key), shown(table_), problem);
+    throw InputError(file_.where(value_.key, &table_), shown_text(value_.key), shown(table_), problem);
   }
 
   void find_kind() {
@@ -52,7 +52,7 @@ class DistributionReader {
     }
     for (const auto& [name, entry] : *table_.table())
       if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
-        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), distribution_forms));
+        fail(fmt::format("has an unknown entry \"{}\"; must be {}", shown_text(name), distribution_forms));
   }
 
   std::vector<double> entries(const std::string& name) {

@@ -16,7 +16,7 @@
 #endif
 #include <toml++/toml.h>
 
-#include "equipoise/study/toml/printable.hpp"
+#include "equipoise/core/base/display_text.hpp"
 
 namespace equipoise::study {
 
@@ -174,7 +174,7 @@ StudyValue parse_toml(std::string_view text) {
   } catch (const toml::parse_error& e) {
     constexpr std::size_t longest_description = 300;  // it may quote the text
     throw TextFault{e.source().begin.line, e.source().begin.column,
-                    fmt::format("not TOML: {}", printable(e.description(), longest_description))};
+                    fmt::format("not TOML: {}", display_text(e.description(), longest_description))};
   }
 }
 
