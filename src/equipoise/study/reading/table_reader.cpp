@@ -25,39 +25,6 @@ namespace {
 // The line number of a table made by an override.
 constexpr int line_of_override = -1;
 
-// A value much as it was written, on one line; at most its last part exceeds `longest_shown`.
-void append_shown(std::string& text, const StudyValue& value) {
-  if (text.size() > longest_shown) return;
-  const char* separator = "";
-  if (const auto* array = value.array()) {
-    text += '[';
-    for (const StudyValue& entry : *array) {
-      if (text.size() > longest_shown) break;
-      text += std::exchange(separator, ", ");
-      append_shown(text, entry);
-    }
-    text += ']';
-  } else if (const auto* table = value.table()) {
-    text += "{ ";
-    for (const auto& [key, entry] : *table) {
-      if (text.size() > longest_shown) break;
-      text += fmt::format("{}{} = ", std::exchange(separator, ", "), key);
-      append_shown(text, entry);
-    }
-    text += " }";
-  } else if (const auto* string = value.string()) {
-    text += fmt::format("\"{}\"", *string);
-  } else if (const auto* number = value.real()) {
-    text += number_text(*number);
-  } else if (const auto* whole = value.integer()) {
-    text += fmt::format("{}", *whole);
-  } else if (const auto* truth = value.boolean()) {
-    text += *truth ? "true" : "false";
-  } else {
-    text += value.other()->text;
-  }
-}
-
 // "12 kg", where a plain number was wanted.
 bool looks_physical(const StudyValue& value) {
   const auto* text = value.string();
@@ -136,12 +103,6 @@ void apply_override(StudyFile& file, const std::string& text) {
 }
 
 }  // namespace
-
-std::string shown(const StudyValue& value) {
-  std::string text;
-  append_shown(text, value);
-  return shown_text(text);
-}
 
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
   return shown(taken.contains(dotted_key) ? *root.find_path(dotted_key) : value);

@@ -58,9 +58,6 @@ struct Wanted {
 Measured measure_value(const StudyValue& value, const Wanted& wanted,
                        const std::function<void(const std::string&)>& reject);
 
-/// A value as it was written, shortened for a message.
-std::string shown(const StudyValue& value);
-
 /// A study's tree with its overrides applied, and the origin of each value.
 struct StudyFile {
   StudyValue root;  ///< a table

@@ -12,6 +12,7 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise::study {

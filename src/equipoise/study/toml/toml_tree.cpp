@@ -178,8 +178,10 @@ StudyValue parse_toml(std::string_view text) {
   }
 }
 
-std::string value_text(const StudyValue& value) {
-  if (const auto* text = value.string()) return in_quotes(*text);
+namespace {
+// `quoted`: how a string is written.
+std::string text_of(const StudyValue& value, std::string (*quoted)(std::string_view)) {
+  if (const auto* text = value.string()) return quoted(*text);
   if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
   if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
   if (const auto* number = value.real()) return number_text(*number);
@@ -187,12 +189,19 @@ std::string value_text(const StudyValue& value) {
   std::string entries;
   const auto add = [&](const std::string& entry) { entries += (entries.empty() ? "" : ", ") + entry; };
   if (const auto* table = value.table()) {
-    for (const auto& [key, member] : *table) add(key_text(key) + " = " + value_text(member));
+    for (const auto& [key, member] : *table) add(key_text(key) + " = " + text_of(member, quoted));
     return entries.empty() ? "{}" : "{ " + entries + " }";
   }
   if (const auto* array = value.array())
-    for (const StudyValue& entry : *array) add(value_text(entry));
+    for (const StudyValue& entry : *array) add(text_of(entry, quoted));
   return "[" + entries + "]";
+}
+}  // namespace
+
+std::string value_text(const StudyValue& value) { return text_of(value, in_quotes); }
+
+std::string shown(const StudyValue& value) {
+  return shown_text(text_of(value, [](std::string_view text) { return fmt::format("\"{}\"", text); }));
 }
 
 std::string number_text(double v) {

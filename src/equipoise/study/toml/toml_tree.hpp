@@ -27,6 +27,8 @@ std::string number_text(double v);
 
 /// A value as it stands behind "key = ": "2.0", "[1, 2]", "{ uniform = ["1 g", "2 g"] }".
 std::string value_text(const StudyValue& value);
+/// The same for a message: shortened, its strings as they are.
+std::string shown(const StudyValue& value);
 
 /// Text of a study's tables and arrays of tables, in the order of its members.
 std::string toml_text(const StudyValue& tables);
