@@ -13,8 +13,12 @@
 #include "../support/parameters.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/rotor_family/drawn_source.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 namespace equipoise {
 namespace path_region_test {
@@ -105,6 +109,73 @@ TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
   }
   // 70 % of all starts end in one of the two; windows would take 1500 units or more to decide.
   EXPECT_GT(caught, 40);
+}
+
+// A lane from a state, under a rule.
+Fate decided(const model::System& system, Eigen::VectorXd state, const ClassificationRule& rule,
+             std::vector<PilotRecord>* records) {
+  BatchTask task = batch_task(system);
+  task.end = 1000.0;
+  task.tolerance = 1e-8;
+  task.count = 1;
+  task.states = state.data();
+  std::vector<Fate> fates(1);
+  EXPECT_TRUE(classify_batch(task, rule, fates, records));
+  return fates[0];
+}
+
+// Of the paper's rotor, which balances as well.
+class OfARotorThatBalances : public testing::Test {
+ protected:
+  const Study study = study_with_eccentricity(0.01);
+  const model::System system = study.system();
+  const Motion motion = found(study, "co-drifting");
+  const TrialSettings settings{.system = &system, .threads = 2};
+  const std::shared_ptr<const PathRegion> region = path_region(system, motion, 3, settings, nullptr);
+};
+
+TEST_F(OfARotorThatBalances, IsWatchedInAudits) {
+  ASSERT_TRUE(region);
+  ClassificationRule rule = rule_of_regions(system);
+  rule.window = 16.0;
+  set_window_regions(rule, {region});
+  FeatureBox all;  // contains every window
+  all.low.fill(-1e300);
+  all.high.fill(1e300);
+  rule.boxes = {all};
+  std::vector<PilotRecord> records(1);
+  const Fate at_once = decided(system, motion.state, rule, &records);
+  EXPECT_EQ(at_once.attractor, 3);
+  EXPECT_LT(at_once.time, 10.0);  // the first half window
+  rule.blind = true;
+  const Fate watched = decided(system, motion.state, rule, &records);
+  EXPECT_EQ(watched.attractor, 3);
+  EXPECT_EQ(watched.by, DecidedBy::validated);
+  // Half windows end with a step, slightly late.
+  EXPECT_NEAR(watched.time - at_once.time, 8.0 * rule.windowed.watched, 0.5 * rule.windowed.watched);
+  EXPECT_GE(records[0].longest_run[0], rule.windowed.watched - 1);
+}
+
+TEST_F(OfARotorThatBalances, TellsWhatDoesNotBalance) {
+  ASSERT_TRUE(region);
+  ClassificationRule rule = rule_of_regions(system);
+  rule.balanced = analyse_balanced(system).regions;
+  ASSERT_FALSE(rule.balanced.empty());
+  set_window_regions(rule, {region});
+  std::vector<double> states(motion.state.begin(), motion.state.end());
+  const Eigen::VectorXd balanced = model::balanced_state(system, speed, rule.balanced[0].angles());
+  states.insert(states.end(), balanced.begin(), balanced.end());
+  EXPECT_EQ(come_to_balance(states, rule, settings, -0.024), (std::vector<char>{0, 1}));
+}
+
+TEST_F(OfARotorThatBalances, IsForAttractingMotionsThatRepeat) {
+  Motion chaotic = motion, unstable = motion;
+  chaotic.kind = MotionKind::chaotic;
+  unstable.stable = false;
+  for (const Motion& other : {chaotic, unstable}) EXPECT_FALSE(path_region(system, other, 3, settings, nullptr));
+  ClassificationRule rule;
+  set_window_regions(rule, {});
+  EXPECT_FALSE(rule.windowed.regions);
 }
 
 // Rotors from lambda = 0.095 to 0.115; "locked" exists from 0.1 on.

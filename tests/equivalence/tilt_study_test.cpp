@@ -97,18 +97,9 @@ speed = 2.0
         << key;
 }
 
-TEST(TiltStudy, WhatDoesNotTakeItSaysSo) {
-  using model::ResultKind;
+TEST(TiltStudy, LacksNoResult) {
   const Study s = study();
-  const auto lack = model::lacking(s.system(), ResultKind::torus_regions);
-  ASSERT_TRUE(lack);
-  EXPECT_EQ(lack->need, model::Need::no_tilt);
-  EXPECT_NE(lack->reason.find("(simulate, basin, attractors, map and chart take any)"), std::string::npos)
-      << lack->reason;
-  for (const ResultKind kind : {ResultKind::trajectory, ResultKind::shares, ResultKind::attractors,
-                                ResultKind::branches, ResultKind::maps, ResultKind::curves, ResultKind::transients,
-                                ResultKind::pages, ResultKind::designs, ResultKind::proofs, ResultKind::displacements})
-    EXPECT_FALSE(model::lacking(s.system(), kind));
+  for (const model::Capability& c : model::capabilities) EXPECT_FALSE(model::lacking(s.system(), c.result)) << c.name;
 }
 
 TEST(TiltStudy, IsFollowedAsItIsSimulated) {

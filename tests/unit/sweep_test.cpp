@@ -166,7 +166,7 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   group.exceeded[1] = wilson_share(2, 9);
   cell.transients = std::make_shared<TransientGroup>(group);
   cell.note = "ünïcode, \"quoted\"";
-  cell.warm_start_levels.levels = {{1, false, 64.0 / 3.0}, {3, true, 0.0}};
+  cell.warm_start_levels.levels = {{1, 64.0 / 3.0}, {3, 0.0}};
   cell.warm_start_levels.weights = {{-0.1, 1.0 / 3.0, 2.8}};
   const std::vector<std::uint8_t> bytes = io::bytes_of(cell);
   const auto back = io::cell_from(bytes);

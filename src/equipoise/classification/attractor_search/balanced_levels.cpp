@@ -82,7 +82,7 @@ double widen_levels(Search& s) {
   // Twice the level is tried, and no balls may overlap there.
   for (const BalancedRegion& region : narrow)
     nearest_foreign = std::min(nearest_foreign, touching_level(s.system, region));
-  const double near = s.settings.warm_start_levels.level(balanced_id, false);
+  const double near = s.settings.warm_start_levels.level(balanced_id);
   level_each(regions, s.system.parameters(), [&](BalancedRegion& region) {
     widen(region, narrow, s.trials, s.result.balanced.slowest_rate, nearest_foreign, near);
   });

@@ -207,8 +207,7 @@ std::string search_key(const std::string& subject, const AttractorSearchSettings
   std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.mode == SearchMode::warm);
   if (settings.starts <= starts_of_a_first_look) key += "\nfirst look";
   if (settings.mode == SearchMode::few) key += "\nfew starts";
-  for (const WarmStartLevel& h : settings.warm_start_levels.levels)
-    key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
+  for (const WarmStartLevel& h : settings.warm_start_levels.levels) key += fmt::format("\n{} {}", h.attractor, h.level);
   for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
   return key;
 }

@@ -177,7 +177,6 @@ class SearchRegions {
   bool worth_a_region(const Motion& motion, int id) const;
   void add(const Motion& motion, int id);
   bool add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own = nullptr);
-  void add_torus(const Motion& motion, int id);
 
   Search& s_;
   OrbitRegions cycles_;

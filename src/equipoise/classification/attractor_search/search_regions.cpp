@@ -8,7 +8,6 @@
 
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
-#include "equipoise/machine/mechanics/capability.hpp"
 
 namespace equipoise {
 
@@ -113,7 +112,7 @@ void SearchRegions::level_balanced() {
   if (s_.study.numerics.decide == ClassificationMode::proof)
     prove_levels(s_);
   else if (s_.system.plain() || (!s_.system.tilts() && s_.result.balanced.slowest_rate < -slowest_worth_widening))
-    s_.result.warm_start_levels.levels.push_back({balanced_id, false, widen_levels(s_)});
+    s_.result.warm_start_levels.levels.push_back({balanced_id, widen_levels(s_)});
 }
 
 // Around a motion that each rotor has in its own place, as one rotor was found to have it.
@@ -143,10 +142,6 @@ bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
 
 void SearchRegions::add(const Motion& motion, int id) {
   if (!worth_a_region(motion, id)) return;
-  // Another rotor's torus lies next to this one, by more than its cloud of points can resolve.
-  if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
-      !model::lacking(s_.system, model::ResultKind::torus_regions))
-    add_torus(motion, id);
   std::vector<OrbitRegion> regions = orbit_regions(s_.system, motion, id);
   if (regions.empty()) {
     if (id != balanced_id) add_path_region(s_.system, motion, id);
@@ -161,9 +156,8 @@ void SearchRegions::add(const Motion& motion, int id) {
     if (!balancing.empty()) trials.rotors = balancing;
   }
   const double floor = s_.drawn ? own_floor(regions.front(), trials, motion, is_it) : 0.0;
-  if (!validate(regions, trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id, false), floor))
-    return;
-  s_.result.warm_start_levels.levels.push_back({id, false, regions.front().level});
+  if (!validate(regions, trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id), floor)) return;
+  s_.result.warm_start_levels.levels.push_back({id, regions.front().level});
   for (OrbitRegion& region : regions) cycles_.push_back(std::make_shared<OrbitRegion>(std::move(region)));
 }
 
@@ -172,21 +166,11 @@ bool SearchRegions::add_path_region(const model::System& system, const Motion& m
   if (motion.state.size() != system.dimension()) return false;
   for (const auto& region : windowed_)
     if (region->attractor() == id && region->value(motion.state.data(), own) < region->level()) return true;
-  auto region = path_region(system, motion, id, s_.trials, own, s_.settings.warm_start_levels.level(id, false));
+  auto region = path_region(system, motion, id, s_.trials, own, s_.settings.warm_start_levels.level(id));
   if (!region) return false;
-  s_.result.warm_start_levels.levels.push_back({id, false, region->level()});
+  s_.result.warm_start_levels.levels.push_back({id, region->level()});
   windowed_.push_back(std::move(region));
   return true;
-}
-
-// If the neighbour's torus has no region, none is tried here: that takes long, and windows recognise a torus too.
-void SearchRegions::add_torus(const Motion& motion, int id) {
-  const WarmStartLevel* known = s_.settings.warm_start_levels.find(id, true);
-  auto torus = known && known->level == 0.0
-                   ? nullptr
-                   : torus_region(s_.system, motion, id, s_.trials, known ? known->level : 0.0);
-  s_.result.warm_start_levels.levels.push_back({id, true, torus ? torus->level() : 0.0});
-  if (torus) windowed_.push_back(std::move(torus));
 }
 
 }  // namespace equipoise

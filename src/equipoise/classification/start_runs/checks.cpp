@@ -59,8 +59,6 @@ std::pair<const char*, std::string> blamed(const Study& study, model::Need need)
       return supports();
     case Need::no_gravity:
       return {"rotor.gravity", number(p.gravity)};
-    case Need::no_tilt:
-      return {"rotor.tilt.transverse_inertia", number(p.tilt.transverse_inertia)};
     case Need::turning:
       return {final_speed_key(study), "0"};
     default:

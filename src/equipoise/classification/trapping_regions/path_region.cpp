@@ -393,7 +393,7 @@ std::shared_ptr<const PathRegion> path_region(const model::System& system, const
                [&](const OwnRotor& rotor) { return region->holds_for(rotor); });
   if (having.empty() && !settings.rotors.empty()) return nullptr;
   of_those.rotors = having;
-  return validate(region, ladder_above(region->floor()), come_close, of_those, near) ? region : nullptr;
+  return validate(region, ladder_above(region->floor()), of_those, near) ? region : nullptr;
 }
 
 }  // namespace equipoise

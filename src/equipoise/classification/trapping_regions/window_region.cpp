@@ -64,14 +64,14 @@ void WindowRegion::widen(WindowRegions& bounds) const {
   }
 }
 
-bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, double far_share,
-              const TrialSettings& settings, double near) {
+bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
+              double near) {
   // Spread over the motion, whatever the order of its states.
   const auto state = [&](const Trial& trial) {
     return region->state_on_level(trial.number * 40503, trial.level, trial.direction, trial.own);
   };
   const auto complete = [&](Trials& trials, double level, const TryRange& tries) {
-    const double share = std::max(tries.goes_far() ? far_share : come_inside, 4.0 * region->floor() / level);
+    const double share = std::max(tries.goes_far() ? come_close : come_inside, 4.0 * region->floor() / level);
     if (share > come_inside) return false;
     region->set_level(share * level);
     trials.rule.window = window;

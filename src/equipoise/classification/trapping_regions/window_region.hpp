@@ -1,5 +1,5 @@
 // Trapping regions that test one state at a time, where half a short window ends: around stable equilibria, periodic
-// motions without an angle as phase, motions that differ from rotor to rotor of a family, and tori.
+// motions without an angle as phase, and motions that differ from rotor to rotor of a family.
 #pragma once
 
 #include <cstddef>
@@ -63,10 +63,9 @@ class WindowRegion {
   double r2_low_ = 1e300, r2_high_ = 0.0;
 };
 
-/// Sets the region's level by trials. False if no level passes. `far_share`: the share of the level that the first
-/// part of trials must come to; `near`: as in highest_good_level().
-bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, double far_share,
-              const TrialSettings& settings, double near = 0.0);
+/// Sets the region's level by trials. False if no level passes. `near`: as in highest_good_level().
+bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
+              double near = 0.0);
 
 /// Places along the motion, equally spaced in time, each with a form P of deviations. V of a state is the least d^T P d
 /// over the places next to it, with d its deviation from the motion there. An equilibrium has one place. In
@@ -146,11 +145,6 @@ class PathRegion final : public WindowRegion {
 /// trials have their own; `near`: as in highest_good_level().
 std::shared_ptr<const PathRegion> path_region(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near = 0.0);
-
-/// The trapping region around an attracting torus of a smooth system with section `none`: the distance of a state from
-/// a cloud of states on the torus. Trials find its level. Null if there is none. `near`: as in highest_good_level().
-std::shared_ptr<const WindowRegion> torus_region(const model::System& system, const Motion& motion, int attractor,
-                                                 const TrialSettings& settings, double near = 0.0);
 
 /// Makes `rule` test these in place of earlier ones.
 void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions);

@@ -12,7 +12,7 @@ struct NeedLine {
   const char* words;
   bool (*met)(const System&);
 };
-constexpr std::array<NeedLine, 10> need_lines{{
+constexpr std::array<NeedLine, 9> need_lines{{
     {Need::prescribed_speed, "a prescribed speed", [](const System& s) { return s.prescribed(); }},
     {Need::passing_balls, "balls that pass each other, 0 or contact = false",
      [](const System& s) { return !s.events().contact; }},
@@ -21,7 +21,6 @@ constexpr std::array<NeedLine, 10> need_lines{{
     {Need::centred_race, "a centred race, [0, 0]", [](const System& s) { return s.parameters().race_is_centred(); }},
     {Need::equal_supports, "equal values in x and y", [](const System& s) { return s.parameters().isotropic(); }},
     {Need::no_gravity, "gravity 0", [](const System& s) { return s.parameters().gravity == 0.0; }},
-    {Need::no_tilt, "a rotor that does not tilt, without rotor.tilt", [](const System& s) { return !s.tilts(); }},
     {Need::turning, "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts",
      [](const System& s) { return s.section() != Section::stroboscopic || s.speed() != 0.0; }},
     {Need::lasting_drive, "a drive that lasts", [](const System& s) { return !s.coasts(); }},

@@ -19,7 +19,6 @@ enum class ResultKind {
   displacements,
   branches,
   maps,
-  torus_regions,
   transients,
   equations,
   pages,
@@ -35,14 +34,13 @@ enum class Need {
   centred_race,
   equal_supports,
   no_gravity,
-  no_tilt,
   turning,        ///< a final speed other than 0, if the equations depend on the rotor's angle
   lasting_drive,  ///< a prescribed speed, or a torque that does not vanish for good
   linear_torque,  ///< a prescribed speed, or a torque that is linear in the speed
 };
-inline constexpr std::array all_needs{
-    Need::prescribed_speed, Need::passing_balls, Need::sliding_balls, Need::centred_race,  Need::equal_supports,
-    Need::no_gravity,       Need::no_tilt,       Need::turning,       Need::lasting_drive, Need::linear_torque};
+inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
+                                      Need::centred_race,     Need::equal_supports, Need::no_gravity,
+                                      Need::turning,          Need::lasting_drive,  Need::linear_torque};
 
 class Needs {
  public:
@@ -63,7 +61,7 @@ struct Capability {
 };
 
 /// One row per result, in the order of ResultKind. docs/reference/commands/index.md shows it.
-inline constexpr std::array<Capability, 13> capabilities{{
+inline constexpr std::array<Capability, 12> capabilities{{
     {ResultKind::trajectory, "trajectories", "simulate", {}},
     {ResultKind::shares, "shares", "basin", {Need::turning}},
     {ResultKind::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive}},
@@ -79,11 +77,6 @@ inline constexpr std::array<Capability, 13> capabilities{{
       Need::no_gravity}},
     {ResultKind::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive}},
     {ResultKind::maps, "maps", "map", {Need::turning, Need::lasting_drive}},
-    // Around a torus of a tilting rotor there are so many directions that trials would cost more than they save.
-    {ResultKind::torus_regions,
-     "trapping regions of tori",
-     "",
-     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::no_tilt}},
     {ResultKind::transients, "figures of transients", "", {}},
     {ResultKind::equations, "equations for other integrators", "", {}},
     {ResultKind::pages, "reports and pages", "", {}},

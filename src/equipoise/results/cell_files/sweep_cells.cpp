@@ -48,7 +48,7 @@ void named_members(Record& r, T& o) {
 
 template <class Record, Like<WarmStartLevel> T>
 void named_members(Record& r, T& h) {
-  r("attractor", h.attractor, "torus", h.torus, "level", h.level);
+  r("attractor", h.attractor, "level", h.level);
 }
 
 template <class Record, Like<ModeWeight> T>

@@ -27,7 +27,6 @@ inline constexpr double starts_of_a_first_look = 1e3;
 /// by what they had before it was widened; 0: none was found.
 struct WarmStartLevel {
   int attractor = 0;
-  bool torus = false;  ///< of a trapping region around a torus, not around an orbit or a state
   double level = 0.0;
   bool operator==(const WarmStartLevel&) const = default;
 };
@@ -42,15 +41,11 @@ struct WarmStartLevels {
   std::vector<WarmStartLevel> levels;
   std::vector<ModeWeight> weights;
 
-  const WarmStartLevel* find(int attractor, bool torus) const {
-    for (const WarmStartLevel& one : levels)
-      if (one.attractor == attractor && one.torus == torus) return &one;
-    return nullptr;
-  }
   /// 0: not known.
-  double level(int attractor, bool torus) const {
-    const WarmStartLevel* found = find(attractor, torus);
-    return found ? found->level : 0.0;
+  double level(int attractor) const {
+    for (const WarmStartLevel& one : levels)
+      if (one.attractor == attractor) return one.level;
+    return 0.0;
   }
   bool operator==(const WarmStartLevels&) const = default;
 };
