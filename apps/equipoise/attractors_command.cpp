@@ -58,7 +58,7 @@ int follow_along(const AttractorsArguments& a) {
   ProgressLine progress(a.quiet, options);
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
-  put(a.json ? branches_json(result) : result_text(result, text_style()));
+  put(a.json ? json_text(result) : result_text(result, text_style()));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
   if (!a.plot.empty()) write_file(a.plot, result_svg(result, file_title(result.study)));
@@ -77,7 +77,7 @@ int run_attractors(const AttractorsArguments& a) {
   ProgressLine progress(a.quiet, options);
   const AttractorsResult result = attractors(study, options);
   progress.finish();
-  put(a.json ? attractors_json(result) : result_text(result, text_style()));
+  put(a.json ? json_text(result) : result_text(result, text_style()));
   return result.basin.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
 }
 

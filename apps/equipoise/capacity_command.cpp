@@ -83,7 +83,7 @@ int run_capacity(CapacityArguments& a) {
   ProgressLine progress(a.quiet, options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
-  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return capacity_json(result); },
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return json_text(result); },
                 [&] { return capacity_csv(result); },
                 [&] { return given_machine(source.toml, source.name, source.overrides); }});
   if (result.complete()) return done;

@@ -47,7 +47,7 @@ int run_compare(const CompareArguments& a) {
   const ComparisonResult result =
       compare(first, second, of_first, options, a.transients ? std::optional(true) : std::nullopt);
   progress.finish();
-  put(a.json ? comparison_json(result) : result_text(result, text_style()));
+  put(a.json ? json_text(result) : result_text(result, text_style()));
   if (!result.partial || !(stop_flag() || time_is_limited())) return done;
   const Study& asked = second.study ? *second.study : first.study.value_or(result.first);
   WorkLeft left{result.starts, asked.sampling.starts, "starts of both"};

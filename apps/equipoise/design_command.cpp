@@ -57,7 +57,7 @@ int run_design(const DesignArguments& a) {
   ProgressLine progress(a.quiet, options);
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
-  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return design_json(result); },
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return json_text(result); },
                 [&] { return design_csv(result); },
                 [&] { return given_machine(source.toml, source.name, source.overrides); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);

@@ -56,21 +56,21 @@ BasinSlice computed(const Study& study, const BasinSliceSettings& how) { return 
 FormMakers forms_of(const StabilityPlane& plane, const StudySource&) {
   return {plane.study,
           [&] { return document_of(plane); },
-          [&] { return stability_json(plane); },
+          [&] { return json_text(plane); },
           [&] { return stability_csv(plane); },
           {}};
 }
 FormMakers forms_of(const BifurcationChart& chart, const StudySource&) {
   return {chart.plane.study,
           [&] { return document_of(chart); },
-          [&] { return chart_json(chart); },
+          [&] { return json_text(chart); },
           [&] { return chart_csv(chart); },
           {}};
 }
 FormMakers forms_of(const BasinSlice& map, const StudySource& source) {
   return {map.study,
           [&] { return document_of(map); },
-          [&] { return map_json(map); },
+          [&] { return json_text(map); },
           {},
           [&] { return given_machine(source.toml, source.name, source.overrides); }};
 }

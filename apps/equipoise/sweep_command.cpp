@@ -36,7 +36,7 @@ struct SweepArguments : ResultForms {
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
-  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return sweep_json(result); },
+  put_forms(a, {result.study, [&] { return document_of(result); }, [&] { return json_text(result); },
                 [&] { return sweep_csv(result); }, machine});
 }
 

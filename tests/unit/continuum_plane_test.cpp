@@ -218,14 +218,14 @@ TEST(ContinuumPlane, OfTwoBallsSaysNothingOfAContinuum) {
       small_plane(charted_rotor(), {"speed.final", 1.0, 2.5, 4}, {"rotor.eccentricity", 0.005, 0.05, 4});
   EXPECT_FALSE(plane.own->continuum);
   EXPECT_FALSE(holds(result_text(plane), "continuum")) << result_text(plane);
-  EXPECT_TRUE(nlohmann::json::parse(stability_json(plane))["own"]["continuum"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(json_text(plane))["own"]["continuum"].is_null());
 }
 
 TEST(ContinuumPlane, AChartSaysIt) {
   const BifurcationChart chart = over_unbalance(unlike_balls("[0.04, 0.05, 0.06]", 0.2));
   EXPECT_TRUE(holds(chart_answer(chart), "balance with the balls spread evenly, one state of a continuum, is"));
   EXPECT_TRUE(holds(result_text(chart), "inscribed"));
-  EXPECT_EQ(nlohmann::json::parse(chart_json(chart))["one_of_many"], true);
+  EXPECT_EQ(nlohmann::json::parse(json_text(chart))["one_of_many"], true);
   EXPECT_TRUE(holds(result_svg(chart, "rotor"), "balls spread evenly"));
 }
 
@@ -262,7 +262,7 @@ speed = 2.369
   const SliceAxis speed{"speed.final", 2.0, 3.0, 3}, drag{"balancer.drag", 0.1, 0.3, 3};
   const StabilityPlane plane = small_plane(study, speed, drag);
   EXPECT_TRUE(holds(result_text(plane), "the most stable state at each point"));
-  EXPECT_EQ(nlohmann::json::parse(stability_json(plane))["of_several"], true);
+  EXPECT_EQ(nlohmann::json::parse(json_text(plane))["of_several"], true);
   const Study alike = parse_study(text, "rotor", {"balancer.mass=0.007"});
   EXPECT_FALSE(holds(result_text(small_plane(alike, speed, drag)), "most stable"));
 }

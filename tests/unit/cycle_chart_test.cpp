@@ -302,7 +302,7 @@ TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   EXPECT_FALSE(holds(text, "Of cycles nothing is told"));
   EXPECT_TRUE(holds(result_svg(around_generalised(), "rotor"), "two cycles merge"));
   EXPECT_FALSE(holds(result_svg(without, "rotor"), "two cycles merge"));
-  EXPECT_TRUE(holds(chart_json(around_generalised()), "\"swing\""));
+  EXPECT_TRUE(holds(json_text(around_generalised()), "\"swing\""));
 }
 
 TEST(CycleChart, TheEquationsRestInTheStatesOfItsPoints) {

@@ -286,7 +286,7 @@ TEST(AttractorsText, SpeaksOfDecidedStartsOnly) {
   EXPECT_GT(json["detection"]["missing_at_most"], 0.966);
   r.basin = result_of(constant_speed, 0, 1000);
   EXPECT_FALSE(holds(result_text(r), "missed with probability"));
-  EXPECT_TRUE(nlohmann::json::parse(attractors_json(r))["detection"]["share"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(json_text(r))["detection"]["share"].is_null());
   r.basin = result_of(constant_speed, 1000, 0);
   EXPECT_FALSE(holds(result_text(r), "stayed undecided"));
 }

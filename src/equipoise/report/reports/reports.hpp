@@ -29,11 +29,11 @@ std::string machine_html(const MachinePage& page, std::span<const TriedChange> t
 std::string json_text(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 Document document_of(const AttractorsResult& result);
-std::string attractors_json(const AttractorsResult& result);
+std::string json_text(const AttractorsResult& result);
 
 /// CSV: one line per value and branch, after comment lines with the study and the version.
 Document document_of(const BranchesResult& result);
-std::string branches_json(const BranchesResult& result);
+std::string json_text(const BranchesResult& result);
 std::string branches_csv(const BranchesResult& result);
 
 /// The cells with the largest and the smallest share, then one line per cell. CSV: one line per cell and outcome.
@@ -52,7 +52,7 @@ std::string json_text(const BasinSlice& map);
 
 /// Shares, differences, changes and a verdict, which is the difference in balanced starts in one sentence.
 Document document_of(const ComparisonResult& result);
-std::string comparison_json(const ComparisonResult& result);
+std::string json_text(const ComparisonResult& result);
 std::string verdict(const ComparisonResult& result);
 
 /// The front, the chosen design next to the original study, its margins, what limits it. JSON: figures are in the units
