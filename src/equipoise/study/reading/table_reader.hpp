@@ -102,8 +102,9 @@ class TableReader {
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
   /// A value of an enumeration by its name; `names` are those of its first values, in order.
   template <class Enumeration>
-  Enumeration choice(const std::string& key, std::span<const char* const> names) {
-    return static_cast<Enumeration>(place_among(key, names));
+  Enumeration choice(const std::string& key, std::span<const char* const> names,
+                     std::optional<Enumeration> fallback = std::nullopt) {
+    return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
   }
   bool flag(const std::string& key);
   std::string text(const std::string& key);
