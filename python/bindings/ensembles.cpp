@@ -211,7 +211,7 @@ void bind_ensembles(py::module_& module) {
     return names;
   });
   module.def("flag_word", &io::flag_word);
-  bind_kept<ComparisonResult>(module, "Comparison", &result_text<ComparisonResult>, &comparison_json)
+  bind_kept<ComparisonResult>(module, "Comparison", &result_text<ComparisonResult>)
       .def("verdict", made<ComparisonResult>(&verdict))
       .def("study", [](const Kept<ComparisonResult>& c) { return PyStudy::of(c.result.first); });
   module.def("compare", &compare_studies);

@@ -66,10 +66,10 @@ Kept<CertificateFile> check(const std::string& text, const std::string& where) {
 }  // namespace
 
 void bind_motions(py::module_& module) {
-  bind_kept<AttractorsResult>(module, "Attractors", &result_text<AttractorsResult>, &attractors_json);
+  bind_kept<AttractorsResult>(module, "Attractors", &result_text<AttractorsResult>);
   module.def("attractors", &find_attractors);
   module.def("motion_path", &path_of);
-  bind_kept<BranchesResult>(module, "Branches", &result_text<BranchesResult>, &branches_json)
+  bind_kept<BranchesResult>(module, "Branches", &result_text<BranchesResult>)
       .def("csv", made<BranchesResult>(&branches_csv))
       .def("save", saved<BranchesResult>(&write_branches_file));
   module.def("follow", &follow);

@@ -148,13 +148,13 @@ void bind_planes(py::module_& module) {
       .def("page", paged<BasinSlice>())
       .def("save", saved<BasinSlice>(&write_map_file));
   module.def("map", &draw_map);
-  bind_kept<StabilityPlane>(module, "Stability", &result_text<StabilityPlane>, &stability_json)
+  bind_kept<StabilityPlane>(module, "Stability", &result_text<StabilityPlane>)
       .def("arrays", made<StabilityPlane>(&arrays_of_stability))
       .def("summary", made<StabilityPlane>(&summary_of_stability))
       .def("csv", made<StabilityPlane>(&stability_csv))
       .def("save", saved<StabilityPlane>(&write_stability_file));
   module.def("stability", &look_at_balance);
-  bind_kept<BifurcationChart>(module, "Chart", &result_text<BifurcationChart>, &chart_json)
+  bind_kept<BifurcationChart>(module, "Chart", &result_text<BifurcationChart>)
       .def("csv", made<BifurcationChart>(&chart_csv))
       .def("save", saved<BifurcationChart>(&write_chart_file));
   module.def("chart", &draw_chart);

@@ -302,7 +302,7 @@ TEST(DesignProblem, WantedNumbersOfTheStudyAsItIsAreKnown) {
         "drag = \"0.01 N m s\"\n[speed]\nprofile = \"constant\"\nspeed = \"3000 rpm\"\n"
         "[design]\nmethod = \"latin\"\nobjective = [\"-balancer.mass\"]\n"
         "[design.vary]\n\"balancer.mass\" = [\"15 g\", \"30 g\"]\n");
-    return problem.figures()[0].own;
+    return problem.figures()[0].stated(problem.study(), {});
   };
   EXPECT_EQ(own("mass = \"20 g\"\n"), 20.0);
   EXPECT_NEAR(own("mass = \"0.02 kg\"\n"), 20.0, 1e-12);  // roundings of a conversion

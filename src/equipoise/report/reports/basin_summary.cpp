@@ -46,7 +46,7 @@ DocumentTable short_table(const BasinResult& r) {
     };
     for (const TransientLimit& l : transient_limits)
       if (!l.by_speed && (end ? l.end == figure : !l.at_end && l.value == figure)) consider(study.limits.*l.limit);
-    if (figure == &TransientRow::peak_radial_at_end) consider(study.limits.settled);
+    if (end && figure == &TransientRow::peak_radial_at_end) consider(study.limits.settled);
     return least;
   };
   const Limits& limits = study.limits;

@@ -94,6 +94,11 @@ class ClassifyFate {
       if (speed_place_ >= 0) fate.mean_speed = static_cast<float>(trackers_[slot].mean_speed());
       if (verdict.runs_away) fate.outcome = Outcome::undecided;
     }
+    if (how == BatchEnd::reached_end && !rule_.at_horizon && !pilot_)
+      if (const int attractor = trackers_[slot].settled_at_end()) {
+        fate.outcome = Outcome::attracted;
+        verdict = {DecidedBy::windows, attractor};
+      }
     if (how == BatchEnd::reached_end && rule_.at_horizon) {
       if (!verdict.attractor && rule_.continuum.regions && rule_.continuum.regions->ask(z, 0.0, own(slot)).attractor)
         verdict.attractor = balanced_id;

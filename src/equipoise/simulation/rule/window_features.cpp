@@ -183,6 +183,21 @@ int WindowTracker::attractor_at_end() const {
   return known && !may_end(known->chaos) ? known->attractor : 0;
 }
 
+int WindowTracker::settled_at_end() const {
+  // Of shorter windows chaos shows a known motion now and then.
+  constexpr double long_time = 64.0;
+  if (!has_previous_ || elapsed_ < long_time * rule_->first_long_window) return 0;
+  const int balls = rule_->balls;
+  WindowSums lately = long_;
+  if (!fresh_ && long_.duration < 0.5 * previous_sums_.duration) extend(lately, previous_sums_, balls, false);
+  const Features f = features(lately, balls, rule_->interchangeable);
+  const KnownFeatures* known = known_by(f);
+  const bool shown =
+      known && !known->chaotic &&
+      same_motion(known->features, brought_back(f, known->trend, shifts_of(own_), balls), balls, rule_->sameness);
+  return shown ? known->attractor : 0;
+}
+
 double WindowTracker::mean_speed() const {
   if (has_previous_) return previous_[speed_feature(rule_->balls)];
   return has_half_ ? long_.rotor_turned / long_.duration : std::numeric_limits<double>::quiet_NaN();
@@ -201,6 +216,7 @@ WindowConclusion WindowTracker::finish_long_window() {
   const Features f = features(long_, rule_->balls, rule_->interchangeable);
   const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
   previous_ = f;
+  previous_sums_ = long_;
   previous_range_ = range_;
   has_previous_ = true;
   long_end_ *= 2.0;

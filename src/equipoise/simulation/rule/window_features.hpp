@@ -67,6 +67,9 @@ class WindowTracker {
   double mean_speed() const;
   /// The attractor at the horizon, by the last short windows or else by the last long one; 0 if neither recognises one.
   int attractor_at_end() const;
+  /// The regular motion of the rule's list that a trajectory has shown for the last third or more of a long time, though
+  /// it reached it too late for long windows to repeat; 0 if there is none.
+  int settled_at_end() const;
 
  private:
   // The attractor in whose box the last short windows lie, as many as the box needs; 0 if none.
@@ -85,7 +88,7 @@ class WindowTracker {
   double elapsed_ = 0.0, long_end_ = 0.0;
   int repeats_ = 0, chaotic_ = 0, chaotic_repeats_ = 0;
   bool has_half_ = false, fresh_ = true, fresh_range_ = true, has_previous_ = false;
-  WindowSums half_, long_;
+  WindowSums half_, long_, previous_sums_;
   FeatureBox range_, previous_range_;
   Features previous_{};
   std::array<int, most_boxes> runs_{}, longest_{};
