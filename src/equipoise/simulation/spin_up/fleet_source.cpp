@@ -137,6 +137,8 @@ class FleetSource final : public SpinUp {
                                 TransientTable* transients) {
     std::map<decltype(std::declval<Machine>().shape()), std::vector<std::size_t>> groups;
     std::vector<Machine> machines;
+    machines.reserve(given.size());
+    starts.rotors.reserve(given.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
       const Machine& m = machines.emplace_back(given[i].study);
       groups[m.shape()].push_back(i);
