@@ -245,7 +245,7 @@ def test_explanations(program):
     assert without_times(said.data) == without_times(told(program, "explain", studies / "examples" / "washing-machine.toml"))
     assert said.text == program("explain", studies / "examples" / "washing-machine.toml", "--wide").stdout
     assert list(said.advice) == ["ball_mass", "critical_speed", "room", "drag", "settling", "torque"]
-    assert said.advice["ball_mass"]["kept"] is True and "rules-of-thumb.md" in said.advice["drag"]["source"]
+    assert said.advice["ball_mass"]["kept"] is True and said.advice["drag"]["source"].startswith("Rules of thumb")
     assert isinstance(said.warnings, list) and "<pre>" in said._repr_html_()
 
 

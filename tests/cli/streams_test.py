@@ -36,7 +36,7 @@ class LostOutput(Case):
     def test_results_in_files_are_kept_and_files_never_become_standard_output(self):
         for target in (">/dev/full", ">&-", "<&- >&-"):
             done = shell(f"$E basin $S --starts 10 --quiet -o a.nc {target}; echo $? >&2; "
-                         f"$E basin $S --starts 10 --quiet -o a.nc | grep '10 starts' >&2; rm a.nc", cwd=self.folder)
+                         f"$E basin $S --starts 10 --quiet --details -o a.nc | grep '10 starts' >&2; rm a.nc", cwd=self.folder)
             self.assertIn("1\n10 starts at random ball angles, seed 1", done.stderr)  # read from the file, and whole
             done = shell(f"$E certify $S -o c.json {target}; echo $? >&2", cwd=self.folder)
             self.assertIn("1\n", done.stderr)

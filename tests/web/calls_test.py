@@ -162,7 +162,7 @@ class Calls(unittest.TestCase):
                 options = (path, "--starts", str(starts), "--quiet", "--cpu", "scalar", "--no-changes", "-o",
                            os.path.join(folder, "kept.nc"))
                 theirs = json.loads(program("basin", *options, "--json"))["verdict"]
-                text = program("basin", *options, "--wide")
+                text = program("basin", *options, "--details", "--wide")
             self.assertEqual({key: ours["verdict"][key] for key in theirs}, theirs, name)
             lines = [" ".join(line.split()) for line in text.split("\n")]
             words = " ".join(lines)

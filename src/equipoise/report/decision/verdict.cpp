@@ -202,7 +202,7 @@ class Judge {
                                     shown(*(r_.study.limits.*limit.limit), limit.told_in()),
                                     limit.by_speed ? limit.measured : figure_name(at_end ? limit.end : limit.value),
                                     of_settling ? "" : fmt::format(" {}", phases_[at_end]), interval(*worst),
-                                    percent_text(1.0 - needed));
+                                    fmt::format("{:.3g} %", 100.0 * (1.0 - needed)));
     const auto& end = with_.within[static_cast<std::size_t>(Within::at_end)];
     if (!at_end && end && end->count == end->total) {
       std::string then = phases_[1];

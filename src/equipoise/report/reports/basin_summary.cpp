@@ -215,7 +215,8 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
   const bool velocities = t && (full || motions.size() > 1);
   const std::size_t left_out = brief && motions.size() > most ? motions.size() - most : 0;
   motions.resize(motions.size() - left_out);
-  DocumentTable table{{"outcome", "probability (95 % interval)"}};
+  // The table with all columns is wide.
+  DocumentTable table{{"outcome", brief ? "probability (95 % interval)" : "share (95 % interval)"}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
