@@ -175,7 +175,7 @@ TEST(MachinePage, BeginsWithTheVerdictInItsTone) {
   ASSERT_NE(box, html.npos);
   EXPECT_LT(box, html.find("<p class=\"lead\">"));
   EXPECT_EQ(html.find("<h2>"), html.find("<h2>", box));
-  EXPECT_TRUE(holds(html, "<span>because</span> "));
+  EXPECT_TRUE(holds(html, "<span>why</span> "));
   // Changes stand in it if they were tried.
   EXPECT_FALSE(holds(html, "What to change"));
   const std::vector<TriedChange> tried{
