@@ -100,8 +100,8 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   const std::map<std::string, double> units{
       {"mm", 1e3 * u.length}, {"N", u.force()},  {"mm/s", 1e3 * u.velocity()},    {"s", u.time()},
       {"ms", 1e3 * u.time()}, {"J", u.torque()}, {"rpm", u.frequency * 30.0 / pi}};
-  // Quantiles: a start or two that a rounding sends elsewhere change a mean by much. A wrong unit moves all of them, while
-  // a rounding that changes when outcomes are known moves the energy taken until then for some starts only.
+  // Quantiles: a start or two that a rounding sends elsewhere change a mean by much. A wrong unit moves all of them,
+  // while a rounding that changes when outcomes are known moves the energy taken until then for some starts only.
   const auto quantiles = [](const Json& figure) {
     std::vector<std::optional<double>> values;
     for (const Json& q : figure.value("quantiles", Json::array())) values.push_back(number(q, "value"));

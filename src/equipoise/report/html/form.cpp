@@ -244,7 +244,8 @@ std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormF
     for (const study::Key& key : table->of(study::variants_in(study, table->name), study.scales.has_value())) {
       const std::string dotted = table->name + "." + key.name;
       const bool twice = std::any_of(offered.begin(), offered.end(), [&](const auto& o) { return o.key == dotted; });
-      if (!twice && !shown(dotted)) offered.push_back({dotted, label_of(dotted), key.meaning(study.scales.has_value())});
+      if (!twice && !shown(dotted))
+        offered.push_back({dotted, label_of(dotted), key.meaning(study.scales.has_value())});
     }
   }
   return offered;
