@@ -99,8 +99,9 @@ Drift drift_of(const MeanRate& mean, bool regular, double matters) {
   // An angle that only comes and goes never gains a whole turn. A turn is a slip.
   const bool slipped = std::fabs(mean.turned) > two_pi;
   if (regular) {
-    // Slips of regular motion add up. Without one, a slow beat of the balls can make all parts agree by chance on a
-    // rate of up to eight times the error seen (a beat as long as the record); such a rate is measured for longer.
+    // Slips of regular motion add up. Without one, parts of a record that is short for a torus may agree by chance on a
+    // rate: up to eight times the error over 1000 units, 2.7 over 2000, below the error from 4000 on (table 2's rotor
+    // at eccentricity 0.006776). Such a rate is measured for longer.
     if (slipped || rate > 10.0 * mean.error + noise) return Drift::some;
     return rate <= mean.error + noise ? Drift::none : Drift::unknown;
   }

@@ -198,8 +198,9 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
     group.push_back(way_table(r));
     for (const std::string& sentence : without_balls_words(r)) group.push_back(Paragraph{sentence});
   }
-  if (!r.transients || r.transients->groups.empty() || r.transients->groups.front().starts == 0) return groups;
-  std::array judged_by{limits_blocks(r.transients->groups.front(), r.study), standards_blocks(r)};
+  const TransientGroup* all = r.transients ? r.transients->of(std::nullopt) : nullptr;
+  if (!all) return groups;
+  std::array judged_by{limits_blocks(*all, r.study), standards_blocks(r)};
   for (std::vector<Block>& group : judged_by)
     if (!group.empty()) groups.push_back(std::move(group));
   return groups;

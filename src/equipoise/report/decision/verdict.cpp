@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -205,9 +204,7 @@ class Judge {
                                     fmt::format("{:.3g} %", 100.0 * (1.0 - needed)));
     const auto& end = with_.within[static_cast<std::size_t>(Within::at_end)];
     if (!at_end && end && end->count == end->total) {
-      std::string then = phases_[1];
-      then.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(then.front())));
-      words += fmt::format(" {} every run meets the limits.", then);
+      words += fmt::format(" {} every run meets the limits.", capitalised(phases_[1]));
     }
     return words;
   }
@@ -266,8 +263,7 @@ class Judge {
     const TriedChange* best = &tried.front();
     for (const TriedChange& t : tried)
       if (serves_better(t, *best)) best = &t;
-    std::string change = best->words;
-    change.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(change.front())));
+    const std::string change = capitalised(best->words);
     const std::string figure =
         best->kept ? fmt::format("{} of {} trial runs stayed within every limit ({})", best->kept->count, best->starts,
                                  interval(*best->kept))

@@ -106,8 +106,7 @@ class BasinDocument {
  public:
   BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, const MachinePage* page)
       : r_(r), tried_(tried), page_(page), study_(r.study), shown_(r.study) {
-    if (r.transients && !r.transients->groups.empty() && r.transients->groups.front().starts > 0)
-      all_ = &r.transients->groups.front();
+    if (r.transients) all_ = r.transients->of(std::nullopt);
   }
 
   Document make() {

@@ -2,7 +2,6 @@
 #include "equipoise/report/reports/basin_summary.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -115,8 +114,7 @@ DocumentTable short_table(const BasinResult& r) {
 class Summary {
  public:
   explicit Summary(const BasinResult& r) : r_(r), study_(r.study), shown_(r.study) {
-    if (r.transients && !r.transients->groups.empty() && r.transients->groups.front().starts > 0)
-      all_ = &r.transients->groups.front();
+    if (r.transients) all_ = r.transients->of(std::nullopt);
   }
 
   Document make(std::span<const TriedChange> tried) {
@@ -165,10 +163,8 @@ class Summary {
     if (study_.speed.law == model::SpeedLaw::published && study_.speed.profile != Profile::constant)
       words += "; PUBLISHED speed law, psi = t Omega(t)";
     words += ".";
-    if (std::string held = release_text(study_); p.balls > 0 && !held.empty()) {
-      held.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(held.front())));
-      words += fmt::format(" {}.", held);
-    }
+    if (const std::string held = release_text(study_); p.balls > 0 && !held.empty())
+      words += fmt::format(" {}.", capitalised(held));
     if (all_)
       words +=
           tells_without_balls(r_) ? " \"No balls\" and \"with balls\" are medians." : " \"With balls\" is the median.";

@@ -60,8 +60,8 @@ struct TransientResult {
   std::vector<TransientGroup> groups;  ///< all, then by outcome
   std::vector<PairedStart> first{};    ///< the first starts, by index
 
-  /// The figures of the starts with an outcome; null if there are none.
-  const TransientGroup* of(int outcome) const {
+  /// The figures of the starts with an outcome, or of all without one; null if there are no such starts.
+  const TransientGroup* of(std::optional<int> outcome) const {
     for (const TransientGroup& group : groups)
       if (group.id == outcome && group.starts > 0) return &group;
     return nullptr;

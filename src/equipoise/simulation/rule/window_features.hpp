@@ -67,8 +67,8 @@ class WindowTracker {
   double mean_speed() const;
   /// The attractor at the horizon, by the last short windows or else by the last long one; 0 if neither recognises one.
   int attractor_at_end() const;
-  /// The regular motion of the rule's list that a trajectory has shown for the last third or more of a long time,
-  /// though it reached it too late for long windows to repeat; 0 if there is none.
+  /// The regular motion of the rule's list that a long trajectory has shown for its last fifth or more, although too
+  /// late for long windows to repeat; 0 if there is none.
   int settled_at_end() const;
 
  private:
