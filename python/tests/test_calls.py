@@ -118,7 +118,7 @@ def test_ctrl_c_ends_a_call_soon_and_keeps_what_is_done(progress):
     [
         lambda s: eq.basin(s, starts=100_000_000, keep=False, within=1),
         lambda s: eq.attractors(s, starts=100_000_000, within="1s"),
-        lambda s: eq.map(s, size=4000, within=1.0),
+        lambda s: eq.map(s, size=2000, within=1.0),
         lambda s: eq.sweep(s, {"speed.final": [2.0 + 0.01 * k for k in range(300)]}, within=1),
         lambda s: eq.capacity(s, starts=10_000_000, within=1),
         lambda s: eq.compare(s, s.replace(**{"balancer.drag": 0.3}), starts=100_000_000, within=1),
