@@ -303,13 +303,15 @@ class SmoothJourney final : public Journey {
     const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
     repeats_ = tight ? repeats_ + 1 : 0;
     ahead_ = 0.0;
-    if (!may_creep_balanced() && !comes_back()) return std::nullopt;
+    // Chaos that drifts slowly may not come back within the samples.
+    const bool returns = may_creep_balanced() || comes_back();
+    if (!returns && !is_over()) return std::nullopt;
     if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
     if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
     MotionKind kind = MotionKind::chaotic;
     const auto exponents = exponents_of(kind);
     chaotic_ = exponents && kind == MotionKind::chaotic;
-    if (!exponents || (kind == MotionKind::chaotic ? !is_over() : repeats_ < 2)) return std::nullopt;
+    if (!exponents || (chaotic_ ? !is_over() : repeats_ < 2 || !returns)) return std::nullopt;
     return restless(kind, *exponents);
   }
 

@@ -275,7 +275,7 @@ class Discoverer {
       // Looks never decide balance: a trapping region does, or the way to balance is followed.
       if (!c.motion || !c.motion->stable || !c.shows_motion || c.attractor == balanced_id) continue;
       if (s_.drawn ? looks_known(c) : is_known(c.attractor)) {
-        if (c.members.empty()) c.shows_motion = false;  // another given state came to the same motion
+        if (c.own_windows) c.shows_motion = false;  // another state came to the same motion
         if (!c.shows_motion) continue;
       } else {
         if (!add_trend(s_, c)) return false;
@@ -305,7 +305,7 @@ class Discoverer {
   }
 
   // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and still end in a stable one.
-  // Its windows do not recognise that motion then. A neighbour's motion has no windows yet and gets its own.
+  // Its windows do not recognise that motion then, and a neighbour's motion has none: they get the motion's own.
   void compare_with_motions() {
     std::vector<Candidate*> followed;
     std::vector<const Motion*> motions;
@@ -321,13 +321,11 @@ class Discoverer {
       Candidate& c = *followed[k];
       // Each member of a continuum that dry friction leaves looks different.
       c.shows_motion = !c.motion->set_valued && windows[k].finished_window;
-      if (c.members.empty()) {
-        c.features = windows[k].features;
-        c.range = windows[k].range;
-        continue;
-      }
-      c.shows_motion =
-          c.shows_motion && same_motion(c.features, windows[k].features, s_.balls(), agreement(c.motion->kind));
+      c.own_windows = c.shows_motion && (c.members.empty() || !same_motion(c.features, windows[k].features, s_.balls(),
+                                                                           agreement(c.motion->kind)));
+      if (!c.shows_motion) continue;
+      c.features = windows[k].features;  // members may still have been on their way
+      if (c.own_windows) c.range = windows[k].range;
     }
   }
 

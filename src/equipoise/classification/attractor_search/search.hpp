@@ -37,7 +37,8 @@ struct Candidate {
   std::optional<Motion> motion{};
   int attractor = 0;
   int trend = -1;             ///< where rotors differ: the row of its motion's features (FeatureTrends)
-  bool shows_motion = false;  ///< its members' windows are those of the motion that it was followed to
+  bool shows_motion = false;  ///< its windows are those of the motion that it was followed to
+  bool own_windows = false;   ///< and the motion's own, for its members show none or only the way there
   bool stationary = false;
 };
 

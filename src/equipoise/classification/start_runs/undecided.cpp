@@ -24,12 +24,11 @@ namespace {
 
 // In natural sizes: r and the unbalance of rotor and balls over the largest unbalance; rates over the rotor's speed.
 constexpr double near = 0.2;
-// Norms along a motion grow by the exponent up to a bounded factor, e^8 as in motion.cpp. Chaos may be transient, so
-// the time is not much longer than such chaos lasts.
-constexpr double exponent_time = 1500.0, bounded_growth = 8.0;
-// Slow balls may pass from quiet to one burst and back, in which deviations grow by e^15 and fade by as much: chaos
-// also shows over many of them.
-constexpr double longer_time = 8.0 * exponent_time;
+// Chaos may be transient, so the time is not much longer than such chaos lasts.
+constexpr double exponent_time = 1500.0, longer_time = 8.0 * exponent_time;
+// Deviations grow by the exponent up to a bounded factor, e^8 as in motion.cpp. Slow balls may also pass from quiet to
+// a burst, in which deviations grow by e^15, and back.
+constexpr double bounded_growth = 8.0 + 15.0;
 // Far below what "near" allows.
 constexpr double near_tolerance = 1e-6;
 // In natural sizes. Nothing swings more slowly: swings have rates of the order of the speed or of the drag.
@@ -56,13 +55,13 @@ bool stays_near_balance(const model::System& system, double speed, const Eigen::
 
 // Positive if it surely is, otherwise 0.
 double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
-  double exponent = 0.0;
   for (const double time : {exponent_time, longer_time}) {
     const std::vector<double> exponents = lyapunov_exponents(system, state, time, 1);
-    if (exponents.empty() || exponents.front() * time < bounded_growth) return 0.0;
-    exponent = exponents.front();
+    const double growth = exponents.empty() ? 0.0 : exponents.front() * time;
+    if (growth > bounded_growth) return exponents.front();
+    if (growth < 1.0) return 0.0;  // regular
   }
-  return exponent;
+  return 0.0;
 }
 
 std::string speed_words(const Study& study, double speed) {
@@ -128,11 +127,11 @@ UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorX
   const Eigen::VectorXd rate = model::rate(system, state);
   const bool still =
       fastest_ball(p, state) < creep * std::fabs(speed) && fastest_ball(p, rate) < creep * std::fabs(speed) * scale;
+  // Chaos may stay near balanced states that are all unstable.
+  if (const double exponent = still ? 0.0 : largest_exponent(system, state); exponent > 0.0)
+    return {Restlessness::chaotic, exponent};
   if (stays_near_balance(system, speed, state)) return {Restlessness::near_balance, 0.0};
-  if (still) return {Restlessness::creeping, 0.0};
-  const double exponent = largest_exponent(system, state);
-  if (exponent > 0.0) return {Restlessness::chaotic, exponent};
-  return {};
+  return {still ? Restlessness::creeping : Restlessness::regular, 0.0};
 }
 
 std::string clamped_text(const std::vector<UndecidedEnd>& ends) {

@@ -184,12 +184,13 @@ int WindowTracker::attractor_at_end() const {
 }
 
 int WindowTracker::settled_at_end() const {
-  // Of shorter windows chaos shows a known motion now and then.
-  constexpr double long_time = 64.0;
-  if (!has_previous_ || elapsed_ < long_time * rule_->first_long_window) return 0;
+  // Over a shorter time chaos shows a known motion now and then.
+  constexpr double short_windows = 100.0;
+  if (!has_previous_) return 0;
   const int balls = rule_->balls;
   WindowSums lately = long_;
   if (!fresh_ && long_.duration < 0.5 * previous_sums_.duration) extend(lately, previous_sums_, balls, false);
+  if (lately.duration < short_windows * rule_->window) return 0;
   const Features f = features(lately, balls, rule_->interchangeable);
   const KnownFeatures* known = known_by(f);
   const bool shown =
