@@ -69,10 +69,11 @@ MeanRate mean_rate(const AngleRecord& record, bool regular) {
   MeanRate result;
   if (record.size() < 2) return result;
   const std::size_t last = record.size() - 1;
+  result.duration = record.duration();
   result.turned = record[last] - record[0];
-  result.rate = result.turned / record.duration();
+  result.rate = result.turned / result.duration;
   // Too short for blocks: all that is known is that a turn may be missed.
-  result.error = two_pi / record.duration();
+  result.error = two_pi / result.duration;
   if (record.size() <= 4 * blocks) return result;
   if (!regular) {
     result.error = error_from_blocks(record);
@@ -100,9 +101,10 @@ Drift drift_of(const MeanRate& mean, bool regular, double matters) {
   const bool slipped = std::fabs(mean.turned) > two_pi;
   if (regular) {
     // Slips of regular motion add up. Without one, parts of a record that is short for a torus may agree by chance on a
-    // rate: up to eight times the error over 1000 units, 2.7 over 2000, below the error from 4000 on (table 2's rotor
-    // at eccentricity 0.006776). Such a rate is measured for longer.
-    if (slipped || rate > 10.0 * mean.error + noise) return Drift::some;
+    // rate: on table 2's rotor up to eight times the error over 1000 units, on table 3's eleven times over 2500; about
+    // the error at most from 4000 on. Such a rate is measured for longer.
+    constexpr double long_record = 8000.0;
+    if (slipped || (rate > 10.0 * mean.error + noise && mean.duration >= long_record)) return Drift::some;
     return rate <= mean.error + noise ? Drift::none : Drift::unknown;
   }
   // Chaos also slips back. By chance its mean exceeds three standard errors of sixteen blocks once in 110 records, and

@@ -29,8 +29,8 @@ class AngleRecord {
 
 struct MeanRate {
   double rate = 0.0;
-  double error = 0.0;   ///< three standard errors (irregular), or the disagreement of parts of the record (regular)
-  double turned = 0.0;  ///< over the record
+  double error = 0.0;  ///< three standard errors (irregular), or the disagreement of parts of the record (regular)
+  double duration = 0.0, turned = 0.0;  ///< of the record, and over it
 };
 
 /// `regular`: for periodic or quasi-periodic motion. Weights then fall smoothly to zero at both ends, so the mean
