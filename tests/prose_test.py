@@ -121,7 +121,7 @@ def renew(found, long):
     file = pathlib.Path(__file__)
     text = file.read_text()
     first = not PLACES
-    least = {kind: len(hits) if first else min(len(hits), PLACES[kind]) for kind, hits in sorted(found.items())}
+    least = {kind: len(hits) if first else min(len(hits), PLACES.get(kind, 0)) for kind, hits in sorted(found.items())}
     fewer = {page: count if first else min(count, LONG.get(page, 0)) for page, count in sorted(long.items())}
     for name, values in (("PLACES", least), ("LONG", fewer)):
         lines = "".join(f'    "{key}": {value},\n' for key, value in values.items() if value)

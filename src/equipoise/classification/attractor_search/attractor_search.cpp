@@ -275,7 +275,7 @@ class Discoverer {
       // Looks never decide balance: a trapping region does, or the way to balance is followed.
       if (!c.motion || !c.motion->stable || !c.shows_motion || c.attractor == balanced_id) continue;
       if (s_.drawn ? looks_known(c) : is_known(c.attractor)) {
-        if (c.own_windows) c.shows_motion = false;  // another state came to the same motion
+        if (c.own_windows) c.shows_motion = false;  // another state led to the same motion
         if (!c.shows_motion) continue;
       } else {
         if (!add_trend(s_, c)) return false;
