@@ -153,9 +153,9 @@ TEST(LongLivedChaos, IsAnOutcomeWithALifetime) {
   EXPECT_NE(r.note.find("long-lived chaos may end"), std::string::npos) << r.note;
 }
 
-// Few starts leave this chaos before 10 000. The search knows the motions in which they end, although none of its windows
-// shows them, and recognises slow chaos that lasts. Without either 14, 19 and 9 of 60 starts stayed undecided; an
-// independent integration (RK4 in fixed axes, to 200 000) has the rotors on these motions.
+// Few starts leave this chaos before 10 000. The search knows the motions in which they end, although none of its
+// windows shows them, and recognises slow chaos that lasts. Without either 14, 19 and 9 of 60 starts stayed undecided;
+// an independent integration (RK4 in fixed axes, to 200 000) has the rotors on these motions.
 TEST(LongTransients, LeaveNextToNothingUndecided) {
   struct Case {
     int balls;
