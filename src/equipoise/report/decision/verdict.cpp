@@ -23,6 +23,7 @@ namespace {
 
 constexpr char do_not_fit_because[] = "Don't fit it: {}.";
 constexpr char leave_it_out[] = "Leave the balancer out.";
+constexpr char more_torque[] = "The rotor stalls even without balls: give its motor more torque.";
 
 // The share of starts that have to keep all limits if [limits] states none.
 constexpr double usual_required_share = 0.95;
@@ -105,6 +106,7 @@ class Judge {
     if (const std::string below = below_resonance_words(r_.study); !below.empty()) leave_out(below);
     verdict_.change = verdict_.leave_out                    ? leave_it_out
                       : verdict_.decision == Decision::fit  ? "No change is needed."
+                      : stalls_alone()                      ? more_torque
                       : verdict_.decision == Decision::open ? more_starts()
                       : !tried.empty()                      ? best_words(tried)
                                        : "Run \"equipoise design\" to search for a better balancer.";
@@ -286,14 +288,16 @@ class Judge {
     return fmt::format("{}: {}. None of the {} changes tried is enough; {}", change, figure, tried.size(), further);
   }
 
+  // The motor then cannot pull the rotor through its resonance, whatever the balls do.
+  bool stalls_alone() const {
+    return verdict_.decision != Decision::caution && bare_.runs > 0 && bare_.stalled == bare_.runs;
+  }
+
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
-    const std::string share = percent_text(undecided.share);
-    if (undecided.count > 0 && bare_.runs > 0 && bare_.stalled == bare_.runs)
-      return fmt::format(
-          "{} of runs are undecided, and the rotor stalls even without balls: give its motor more torque.", share);
     if (undecided.count > 0)
-      return fmt::format("{} of runs are undecided: raise the time limit, numerics.horizon, to settle it.", share);
+      return fmt::format("{} of runs are undecided: raise the time limit, numerics.horizon, to settle it.",
+                         percent_text(undecided.share));
     return fmt::format("Run more: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
   }
 
