@@ -29,7 +29,6 @@ LONG = {
     "docs/explanation/equations.md": 1,
     "docs/explanation/motions.md": 1,
     "docs/reference/study-file.md": 1,
-    "docs/reference/transients.md": 1,
     "python/notebooks/1-first-study.ipynb": 1,
     "python/notebooks/4-washing-machine.ipynb": 1,
 }
