@@ -1,4 +1,4 @@
-"""Will this automatic balancer balance this rotor, how surely, how fast, and how badly will it shake on the way?
+"""Will a ball balancer work on this rotor? How reliably, how fast, and how hard will the machine vibrate on the way up to speed?
 
     import equipoise as eq
     study = eq.paper_study("table-2-omega-2.4")
