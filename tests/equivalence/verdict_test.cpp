@@ -183,6 +183,9 @@ TEST(Verdict, AsksForTorqueWhereTheRotorStallsWithoutBalls) {
     ASSERT_EQ(verdict.decision, long_enough ? Decision::change : Decision::open);
     EXPECT_EQ(holds(verdict.change, "stalls even without balls: give its motor more torque"), long_enough);
     EXPECT_EQ(holds(verdict.change, "raise the time limit, numerics.horizon"), !long_enough);
+    BasinResult brought_through = r;  // by its balls
+    brought_through.stalled->count = brought_through.undecided.count = 0;
+    EXPECT_FALSE(holds(verdict_of(brought_through)->change, "torque"));
   }
 }
 

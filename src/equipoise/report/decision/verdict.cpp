@@ -288,9 +288,10 @@ class Judge {
     return fmt::format("{}: {}. None of the {} changes tried is enough; {}", change, figure, tried.size(), further);
   }
 
-  // The motor then cannot pull the rotor through its resonance, whatever the balls do.
+  // Balls may bring a rotor through a resonance at which it stalls without them.
   bool stalls_alone() const {
-    return verdict_.decision != Decision::caution && bare_.runs > 0 && bare_.stalled == bare_.runs;
+    const std::uint64_t short_of_speed = (r_.stalled ? r_.stalled->count : 0) + r_.undecided.count;
+    return bare_.runs > 0 && bare_.stalled == bare_.runs && 2 * short_of_speed > r_.starts;
   }
 
   std::string more_starts() const {
