@@ -321,8 +321,14 @@ class Discoverer {
       Candidate& c = *followed[k];
       // Each member of a continuum that dry friction leaves looks different.
       c.shows_motion = !c.motion->set_valued && windows[k].finished_window;
-      c.own_windows = c.shows_motion && (c.members.empty() || !same_motion(c.features, windows[k].features, s_.balls(),
-                                                                           agreement(c.motion->kind)));
+      const bool shown =
+          !c.members.empty() && same_motion(c.features, windows[k].features, s_.balls(), agreement(c.motion->kind));
+      // Where rotors differ, a trajectory may linger where another rotor has its motion, so only what was met counts.
+      if (s_.drawn && !c.members.empty()) {
+        c.shows_motion = c.shows_motion && shown;
+        continue;
+      }
+      c.own_windows = c.shows_motion && !shown;
       if (!c.shows_motion) continue;
       c.features = windows[k].features;  // members may still have been on their way
       if (c.own_windows) c.range = windows[k].range;

@@ -38,7 +38,7 @@ struct Candidate {
   int attractor = 0;
   int trend = -1;             ///< where rotors differ: the row of its motion's features (FeatureTrends)
   bool shows_motion = false;  ///< its windows are those of the motion that it was followed to
-  bool own_windows = false;   ///< they are the motion's own; its members show none, or only the way there
+  bool own_windows = false;   ///< they are the motion's own: no member shows it
   bool stationary = false;
 };
 
