@@ -53,8 +53,8 @@ BasinSliceSettings angle_plane(int columns, int rows) {
 // Long enough to tell one another what their pixels come to, of which the mesh lists a part.
 BasinSliceSettings captured_lines() {
   BasinSliceSettings s = angle_plane(2, 32);
-  s.x.low = 0.0455;
-  s.x.high = 0.0463;
+  s.x.low = 0.0462;
+  s.x.high = 0.0470;
   return s;
 }
 
@@ -251,18 +251,17 @@ struct Lines {
   const Session runner;
 };
 
-// Members of the continuum and one way to capture both balls are missed by a mesh of so few starts.
+// Balls captured in different ways are missed by a mesh of so few starts.
 TEST(BasinSlice, LooksAlongLinesThatAreLongEnoughToPay) {
   EXPECT_FALSE(LineMotions::pays(31));
   EXPECT_TRUE(LineMotions::pays(32));
-  const Lines captured(0.0455, 0.0463);
+  const Lines captured(0.0462, 0.0470);
   LineMotions lines(captured.map, true, captured.runner, nullptr);
   EXPECT_TRUE(captured.look_along(lines));
   for (const std::uint32_t position : {0u, 1u}) {
     ASSERT_FALSE(lines.at(position).motions.empty());
     for (const Motion& motion : lines.at(position).motions)
-      EXPECT_EQ(motion_name(captured.start(position).own.study.parameters, motion).name,
-                position == 0 ? "balanced" : "both captured");
+      EXPECT_EQ(motion_name(captured.start(position).own.study.parameters, motion).name, "both captured");
   }
   StopFlag stop{true};
   RunOptions stopped;

@@ -20,21 +20,19 @@ namespace {
 // audit asks for more hits. The first one satisfied decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
 
-// The range of its windows, as the middle's motion would show it.
+// The range of all members, as the middle's motion would show it.
 FeatureBox range_of(const Search& s, const Candidate& c) {
+  if (c.members.empty() || c.trend < 0) return c.range;
   FeatureBox range;
-  bool fresh = true;
-  const auto add = [&](const FeatureBox& shown, const OwnRotor* own) {
+  for (std::size_t m = 0; m < c.members.size(); ++m) {
+    const FeatureBox& shown = s.pilot.records()[c.members[m]].range;
+    const OwnRotor* own = s.pilot.rotor(c.members[m]);
     const Features low = of_middle(s, c, shown.low, own), high = of_middle(s, c, shown.high, own);
     for (int k = 0; k < feature_count(s.balls()); ++k) {
-      range.low[k] = fresh ? low[k] : std::min(range.low[k], low[k]);
-      range.high[k] = fresh ? high[k] : std::max(range.high[k], high[k]);
+      range.low[k] = m ? std::min(range.low[k], low[k]) : low[k];
+      range.high[k] = m ? std::max(range.high[k], high[k]) : high[k];
     }
-    fresh = false;
-  };
-  if (c.own_windows) add(c.range, c.own);
-  for (const std::size_t m : c.members)
-    if (!c.own_windows) add(s.pilot.records()[m].range, s.pilot.rotor(m));
+  }
   return range;
 }
 
