@@ -144,16 +144,20 @@ std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open)
   Fate& fate = fates_[i];
   // A watched trajectory has gone on since it was decided.
   const double now = watched_ ? table_.rows[i].end : fate.time;
-  const double patience = own_.empty() ? followed_for(s_.system_, s_.mode_) : open ? a_look : lasting_chaos;
+  double patience = own_.empty() ? followed_for(s_.system_, s_.mode_) : open ? a_look : lasting_chaos;
   std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(i)
                                        : few()            ? unlisted_of_few(i, now)
                                                           : followed(i, now, patience);
-  if (!start) return start;
   // Few starts are not all followed.
-  if (!start->motion && !few() && is_in_chaos(i, start->state, now + patience)) {
-    start = in_chaos(i, now);
-    fate.time = std::max(fate.time, now + patience);
+  if (start && !start->motion && !few() && is_in_chaos(i, start->state, now + patience)) {
+    // Chaos that outlasts the horizon is the motion of this rotor if it can be described, as a search would list it.
+    if (open) start = followed(i, now, patience = lasting_chaos);
+    if (start && !start->motion) {
+      start = in_chaos(i, now);
+      fate.time = std::max(fate.time, now + patience);
+    }
   }
+  if (!start) return start;
   const std::optional<Motion>& motion = start->motion;
   const bool measured = motion && motion->kind == MotionKind::measured;
   fate.attractor = 0;
