@@ -76,7 +76,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "equipoise-doc")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "how surely an automatic ball balancer balances a rotor")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "how reliably a ball balancer balances a rotor")
 set(about "Equipoise starts the balls of an automatic balancer anywhere, many thousand
 times, follows every start until its fate is certain, and reports how often
 each outcome happens, with a 95 % confidence interval.")

@@ -6,7 +6,7 @@ from spack.package import *
 
 
 class Equipoise(CMakePackage):
-    """How surely an automatic ball balancer balances a rotor: ensembles of starts, each followed until its fate is certain."""
+    """Will a ball balancer work on this rotor? How reliably, how fast, and how hard will the machine vibrate on the way up to speed?"""
 
     license("MIT")
 
