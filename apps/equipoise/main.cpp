@@ -152,7 +152,7 @@ int say_error(const std::exception_ptr& thrown) {
 int main(int argc, char** argv) {
   using namespace equipoise;
   app::claim_streams();
-  struct sigaction asked {};  // without SA_RESTART: opening or writing to a pipe that nobody reads ends
+  struct sigaction asked {};  // without SA_RESTART: opening or writing to a pipe without a reader ends
   asked.sa_handler = app::ask_to_stop;
   sigaction(SIGINT, &asked, nullptr);
   sigaction(SIGTERM, &asked, nullptr);

@@ -40,7 +40,7 @@ double half_width_option(const std::string& text) {
 int threads_option(const std::optional<std::string>& text) {
   if (!text) return 0;
   const int threads = option_number<int>("--threads", *text, 1, 4096, "a whole number from 1 to 4096");
-  // TBB makes no more threads than the machine has cores unless told to, and complains on standard error.
+  // TBB makes no more threads than the machine has cores unless allowed to, and complains on standard error.
   static std::optional<tbb::global_control> allowed;
   const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
   allowed.emplace(tbb::global_control::max_allowed_parallelism,

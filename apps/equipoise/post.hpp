@@ -25,7 +25,7 @@ class Post {
   Bytes ask(Bytes question);
   /// Receives a message, and answers it if it is a question. False if none has come. Call from one thread only.
   bool step(const Answer& answer);
-  /// Nobody here waits for answers any more.
+  /// No one here waits for answers any more.
   void close();
   /// Waits until everything has been sent.
   void see_off();

@@ -20,8 +20,8 @@ struct WorkLeft {
   std::optional<double> seconds = {};
 };
 
-/// Time between two lines if standard error is no terminal: it may be a log that somebody reads. Ten seconds, or as
-/// many as the variable EQUIPOISE_PROGRESS says; InputError if that is no number from 0.1 to 86400.
+/// Time between two lines if standard error is not a terminal: it may be a log that somebody reads. Ten seconds, or the
+/// number in the variable EQUIPOISE_PROGRESS; InputError if that is not a number from 0.1 to 86400.
 std::chrono::duration<double> lines_apart();
 
 class ProgressLine {

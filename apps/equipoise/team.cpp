@@ -162,7 +162,7 @@ bool Team::agree(bool good) {
 
 void Team::lead(SurveyRun& work, const StopFlag* stop) {
   std::vector<bool> busy(static_cast<std::size_t>(size_), true);  // by rank, until it asks
-  // Once nobody works, all go home.
+  // Once no one works, all are dismissed.
   const auto work_for = [&](int rank, bool stopped) -> Work {
     const auto block = stopped || is_set(stop) ? std::nullopt : work.next_block();
     busy[static_cast<std::size_t>(rank)] = block.has_value();
@@ -201,7 +201,7 @@ void Team::lead(SurveyRun& work, const StopFlag* stop) {
 }
 
 int Team::follow(const Survey& survey, int threads, const StopFlag* stop) {
-  const Post::Answer nothing = [](int, const Bytes&) { return Bytes{}; };  // nobody asks this process
+  const Post::Answer nothing = [](int, const Bytes&) { return Bytes{}; };  // no one asks this process
   return or_end([&] {
     OwnWork own(*post_, [&] { work_off_blocks(*post_, survey, threads, stop); });
     while (!own.over())
@@ -211,7 +211,7 @@ int Team::follow(const Survey& survey, int threads, const StopFlag* stop) {
   });
 }
 
-// Everybody gets the empty answer: nothing is left.
+// All get the empty answer: nothing is left.
 void Team::dismiss() {
   const Clock::time_point begin = Clock::now();
   const Post::Answer answer = [&](int, const Bytes& question) {

@@ -27,10 +27,10 @@ struct Job {
 /// From the environment variables of Open MPI, MPICH and its relatives, and Slurm with PMIx.
 Job job_of_environment();
 
-/// Whether this is one of several processes each of which would do the whole work of this command, and write its files:
-/// because the command shares no work, or because the program is built without MPI. The first process says so for all:
-/// it throws InputError. The others are told true, a second later: starters of jobs end all processes as soon as one
-/// has failed, and the first must have spoken by then.
+/// Whether this is one of several processes each of which would do the whole work of this command and write its files,
+/// because the command shares no work or the program is built without MPI. The first process reports it for all by
+/// throwing InputError. The others get true a second later: job starters end all processes as soon as one has failed,
+/// and the first must have reported by then.
 bool repeats_work(const CLI::App& command);
 
 class Post;
@@ -47,12 +47,12 @@ class Team {
   bool alone() const { return size_ == 1; }
   bool leads() const { return rank_ == 0; }
 
-  /// Of several processes on a machine each has a core of its own.
+  /// Each of several processes on a machine has a core of its own.
   int threads(const std::optional<std::string>& option) const { return option || alone() ? threads_option(option) : 1; }
 
-  /// Whether all were given the same words. If not there is no work for anybody.
+  /// Whether all were given the same words. If not, no one has any work.
   bool have_same(const std::string& words);
-  /// What `prepare` makes in the first process, then in the others. What is wrong with the input the first one says,
+  /// What `prepare` makes in the first process, then in the others. If the input is wrong, the first one reports it,
   /// and none of the others prepares anything.
   template <class Prepare>
   auto prepared(const Prepare& prepare) {
@@ -66,8 +66,8 @@ class Team {
     if (agree(leads()) && !leads()) made = or_end([&] { return prepare(); });
     return made;
   }
-  /// Of the first: what `compute` makes with these options of a survey. Gives blocks to the others and takes their
-  /// cells until nobody works. If the work cannot go on the others are sent home.
+  /// In the first: what `compute` makes with these options of a survey. Gives blocks to the others and takes their
+  /// cells until no one works. If the work cannot go on, the others are dismissed.
   template <class Options, class Compute>
   auto lead(Options& options, const Compute& compute) {
     if (!alone()) options.helpers = [this, stop = options.stop](SurveyRun& work) { lead(work, stop); };

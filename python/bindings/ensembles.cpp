@@ -70,7 +70,7 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
       s.source);
 }
 
-// The page for one machine, and the ensemble that it tells of.
+// The page for one machine, and the ensemble that it reports.
 Basin run_report(const PyStudy& s, bool changes, const py::dict& settings) {
   CallWith<BasinOptions> call(settings);
   return call.keep(
@@ -124,7 +124,7 @@ py::object arrays_of(const JudgedBasin& judged) {
   return arrays;
 }
 
-// What is kept of every start, by name: along what it stands beside "start", and its attributes.
+// What is kept of every start, by name: its dimension in addition to "start", and its attributes.
 py::dict columns_of_starts(const JudgedBasin& judged) {
   py::dict columns;
   for (const io::StartColumn& c : start_columns(judged.basin))
@@ -139,7 +139,7 @@ std::string word_of(study::Dimension dimension) {
   return name.substr(begin, name.find(' ', begin) - begin);
 }
 
-// In what results of a study are shown, by dimension: a unit, and what one dimensionless unit is in it.
+// The units in which results of a study are shown, by dimension: name, and what one dimensionless unit is in it.
 py::dict shown_units(const PyStudy& s) {
   using study::Dimension;
   py::dict units;
@@ -151,7 +151,7 @@ py::dict shown_units(const PyStudy& s) {
   return units;
 }
 
-// How the figures of transients are told; the limits that bound them, and without which they are not watched, by key.
+// How the figures of transients are shown; the limits that bound them, and without which they are not watched, by key.
 py::list figures_of_transients() {
   py::list figures;
   for (const TransientFigure& f : transient_figures) {

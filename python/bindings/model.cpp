@@ -82,7 +82,7 @@ void powers(const StudyEquations& e, std::size_t piece, double t, const double* 
   out[2] = powers.balls;
 }
 
-// As a trajectory tells it: x, y, x_dot, y_dot, angles, rates, psi, psi_dot.
+// As a trajectory gives it: x, y, x_dot, y_dot, angles, rates, psi, psi_dot.
 void motion(const StudyEquations& e, std::size_t piece, double t, const double* y, double* out) {
   const MotionState m = e.motion(piece, t, y);
   const int balls = e.study().parameters.balls;

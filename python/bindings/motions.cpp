@@ -14,7 +14,7 @@ namespace equipoise::python {
 
 namespace {
 
-// States to follow besides, each as Attractor.state has it without what a motor adds.
+// Additional states to follow, each like Attractor.state without what a motor adds.
 std::vector<std::vector<double>> seeds_from(const Study& study, const std::optional<py::array>& states) {
   if (!states) return {};
   return rows_from(*states, static_cast<std::size_t>(model::dimension(study.parameters.balls)), "states",

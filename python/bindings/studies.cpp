@@ -74,7 +74,7 @@ std::optional<double> final_speed_of(const PyStudy& s) {
   return system.drive().speed;
 }
 
-// Where psi, psi_dot and speed_error_integral stand in a motion's state; -1: nowhere.
+// Where psi, psi_dot and speed_error_integral are in a motion's state; -1: nowhere.
 py::tuple places_of(const PyStudy& s) {
   const model::StateLayout layout = with_medians(s.study).system().layout();
   return py::make_tuple(layout.psi, layout.speed, layout.error);

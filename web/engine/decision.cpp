@@ -58,7 +58,7 @@ Json told_runs(const std::vector<OneBodyRun>& runs, Bulk& bulk) {
   return told_rows(fates, rows, bulk);
 }
 
-// Of a result what the verdict and the tables of figures tell; no shares of attractors.
+// The part of a result that the verdict and the tables of figures show; no shares of attractors.
 BasinResult counted(const Study& study, const Json& told, const Json& bare, const Json& held) {
   BasinResult r;
   r.study = study;

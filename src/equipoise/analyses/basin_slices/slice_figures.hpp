@@ -13,8 +13,8 @@ namespace equipoise {
 /// For add_row(): a pixel that does not count, here or as the end of a balanced disc.
 inline constexpr short left_out_code = not_computed_code + 1;
 
-/// Undecided and failed pixels are no outcome and are left out. Intervals of slopes come from the line fitted through
-/// the scales; intervals of means treat boxes as independent.
+/// Undecided and failed pixels are left out. Intervals of slopes come from the line fitted through the scales;
+/// intervals of means treat boxes as independent.
 class SliceFigureCount {
  public:
   /// `plane`: a slice's study, axes and links.

@@ -17,7 +17,7 @@ namespace equipoise {
 /// Pixels are numbered row by row from 0. The finished results have room for all of them.
 class SliceStore : public io::RowStore {
  public:
-  /// Opens what there is of the same study, axes, version and arithmetic, or begins again. Throws like io::Store.
+  /// Opens results of the same study, axes, version and arithmetic, or begins new ones. Throws like io::Store.
   SliceStore(const std::string& path, const io::SliceFileHeader& header);
 
   /// Whether something is not in the finished results yet.

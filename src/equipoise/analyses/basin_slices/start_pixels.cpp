@@ -72,7 +72,7 @@ void place_start(const BasinSlice& map, int column, int row, Study& study) {
   tie(study.initial, map.links);
 }
 
-// The family of the studies of a slice's pixels, over those axes that are no initial values.
+// The family of the studies of a slice's pixels, over the axes that are not initial values.
 StudyFamily family_of(const BasinSlice& map) {
   std::vector<StudyFamily::Quantile> values;
   std::vector<std::string> keys;

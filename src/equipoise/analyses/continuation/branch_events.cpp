@@ -69,7 +69,7 @@ long growing_ways(const Equilibrium& equilibrium) {
                        [](std::complex<double> value) { return value.real() > surely; });
 }
 
-// Whether the periodic motion ends in an equilibrium: all of it is near one, whose stability changes there too. (Where
+// Whether the periodic motion ends in an equilibrium: all of it is near one, whose stability also changes there. (If
 // two small orbits meet in a fold, it does not.)
 bool shrinks_to_equilibrium(const ParameterLine& line, const Advance& end) {
   constexpr double near = 0.2;  // in natural sizes
@@ -82,7 +82,7 @@ bool shrinks_to_equilibrium(const ParameterLine& line, const Advance& end) {
   if (!std::all_of(motion.orbit.nodes.begin(), motion.orbit.nodes.end(),
                    [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; }))
     return false;
-  // The smallest orbits are not told from the equilibrium: the change may come a little later.
+  // The smallest orbits cannot be distinguished from the equilibrium, so the change may come a little later.
   const double later = end.refused + std::copysign(coarse * line.step(), end.refused - end.value);
   const double beyond = std::clamp(later, line.values().front(), line.values().back());
   const auto after = refine_equilibrium(line.system_at(beyond), centre->state);

@@ -12,7 +12,7 @@
 namespace equipoise {
 
 /// Random starts searched at a value. In one case in fifty they miss an attractor with a share of 0.2 %, and the pilot
-/// has searched for it too.
+/// has also searched for it.
 inline constexpr std::uint64_t along_starts = 2000;
 
 /// Progress counts values searched, then branches followed among those known so far.

@@ -26,8 +26,8 @@ struct WantedSample {
   CellRecord record() const;
 };
 
-/// What a design's search asks is asked again in the same order by another run of it: the number of a question names
-/// its answer in the file. One thread asks; other processes may help to answer.
+/// A rerun of a design's search asks the same questions in the same order, so a question's number names its answer in
+/// the file. One thread asks; other processes may help to answer.
 class DesignEnsembles final : public SurveyRun {
  public:
   /// `file` and `kept`: what an earlier run kept.

@@ -33,7 +33,7 @@ DesignEstimate quantile_of(std::vector<double>& values, double q) {
           ranks.high <= count ? values[ranks.high - 1] : no_end};
 }
 
-// A start that was lost has no figure, and the drive's work into balance exists only for starts that come to it.
+// A lost start has no figure, and the drive's work into balance exists only for starts that end balanced.
 DesignEstimate transient_quantile(std::size_t figure, double q, const StartArrays& starts) {
   std::vector<double> values;
   const bool until_balance = transient_figures[figure].value == &TransientRow::energy;

@@ -18,9 +18,9 @@ namespace equipoise {
 
 inline constexpr std::size_t most_design_variables = 20, most_design_objectives = 4, most_spin_up_points = 8;
 
-/// A [design] for a study that states none, as TOML that can stand at its end: the balls' number and stock size, oil or
-/// drag, and a latch if there is one; the least peak among those that balance and keep [limits] in limits.share of
-/// starts; a budget of a minute or two on two cores. Throws InputError if nothing can be chosen.
+/// A [design] for a study that states none, as TOML to append to it: the balls' number and stock size, oil or drag, and
+/// a latch if there is one; the least peak among those that balance and meet [limits] in limits.share of starts; a
+/// budget of a minute or two on two cores. Throws InputError if nothing can be chosen.
 std::string proposed_design(const StudySource& source);
 
 /// A name as people write it, taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and

@@ -26,7 +26,7 @@ namespace {
 // each start draws, of touching balls, and of others.
 constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 3000;
 constexpr double usual_share = 0.95, greatest_share = 0.99;
-constexpr double fewest_that_prove = 3.9;  // starts times (1 - share): if all do it, so surely does that share
+constexpr double fewest_that_prove = 3.9;  // starts times (1 - share): if all do it, that share does (95 % confidence)
 constexpr int most_balls_proposed = 8, more_touching_balls = 2;
 constexpr double around_size = 1.6, around_drag = 5.0, around_mass = 3.0, around_release = 3.0;
 

@@ -132,7 +132,7 @@ std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
   const bool last = idle_ > most_idle || fresh.size() * problem_.first_look() > left;
   if (last) {
     fresh.resize(std::min<std::size_t>(fresh.size(), left / problem_.first_look()));
-    candidates_.resize(known + fresh.size());  // without those that nobody will look at
+    candidates_.resize(known + fresh.size());  // without those that will not be looked at
   }
   try {
     look(fresh, problem_.first_look());

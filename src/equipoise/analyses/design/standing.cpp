@@ -75,7 +75,7 @@ std::vector<double> DesignStanding::worth(const DesignSample& sample) const {
 }
 
 bool DesignStanding::beats(const DesignSample& a, Side side_a, const DesignSample& b, Side side_b) const {
-  // A limit counts as met only if it surely is; hopeful assumes that it will be.
+  // A limit counts as met only if it certainly is; hopeful assumes that it will be.
   const auto strict = [](Side side) { return side == Side::hopeful ? Side::hopeful : Side::worst; };
   const double missed_a = violation(a, strict(side_a)), missed_b = violation(b, strict(side_b));
   if (missed_a > 0.0 || missed_b > 0.0) return missed_a < missed_b;

@@ -86,7 +86,7 @@ std::vector<double> multiples(const DesignEntry& entry, double step, double low,
   return numbers;
 }
 
-// Numbers with so many digits; of a range from 0 those above a thousandth of its end.
+// Numbers with `digits` digits; in a range from 0, those above a thousandth of its end.
 std::vector<double> of_digits(const DesignEntry& entry, double digits, double low, double high) {
   if (!(digits >= 1.0 && digits <= 3.0 && std::floor(digits) == digits)) entry.fail(must_be_few_digits);
   if (low < 0.0) entry.fail("must begin at 0 or above where digits are given");

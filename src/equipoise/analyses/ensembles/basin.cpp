@@ -265,7 +265,8 @@ class BasinRun {
     result_.resumed_from += tally_->total() - begin;
   }
 
-  // The file names a motion by a state on it. If damage has taken that, a start that came to it meets it again.
+  // The file names a motion by a state on it. If damage has taken that, a start that ended in the motion finds it
+  // again.
   void meet_again(std::uint64_t index, const Fate& fate) {
     Chunk chunk;
     chunk.first = index;
@@ -344,7 +345,8 @@ class BasinRun {
     report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 
-  // Names the fate of a start whose motion the rule does not list. The motion decides, whenever it was first met.
+  // Names the outcome of a start whose motion the rule does not list. The motion decides, no matter when it was first
+  // met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
     const int id = catalogue_->settle(start, fate);
     if (id == 0 || !filed_.insert(id).second) return;

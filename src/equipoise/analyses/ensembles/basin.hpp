@@ -32,7 +32,7 @@ struct BasinOptions : RunOptions {
                             ///< the cheaper of random and Sobol starts
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
-                       ///< resumed, a finished one extended or simply read
+                       ///< resumed, a finished one extended or only read
   bool store_angles = true;  ///< in `output`
   /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits] or
   /// [standards].
@@ -87,8 +87,8 @@ struct StartReplay {
 BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr,
                   WarmStartLevels* warm_start_levels = nullptr);
 
-/// The fate of start `index`, bit for bit as basin() gives it. The index may exceed study.sampling.starts, but must be
-/// below the number of options.initial, if any.
+/// The outcome of start `index`, bit for bit as basin() gives it. The index may exceed study.sampling.starts, but must
+/// be below the number of options.initial, if any.
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
 
 }  // namespace equipoise

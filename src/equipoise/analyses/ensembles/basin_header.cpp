@@ -1,4 +1,4 @@
-// Which programs give the same bits, and which part of a study decides the fates of its starts.
+// Which programs give the same bits, and which part of a study decides the outcomes of its starts.
 #include "equipoise/analyses/ensembles/basin_header.hpp"
 
 #include "equipoise/analyses/ensembles/start_arrays.hpp"
@@ -13,7 +13,7 @@ namespace equipoise {
 
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& given_starts,
                                   const std::string& target) {
-  Study identity = with_horizon(study);  // everything that decides the fate of start i
+  Study identity = with_horizon(study);  // everything that decides the outcome of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;

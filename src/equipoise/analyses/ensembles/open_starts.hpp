@@ -16,8 +16,8 @@ using LookAt = std::function<std::vector<UndecidedEnd>()>;
 /// How fast starts leave long-lived chaos.
 void note_chaos(BasinResult& result, const EscapeRate& chaos);
 
-/// Many undecided starts make an ensemble worthless, so the note then says why there are so many. Balls that are never
-/// let go are noted even if only one start has them.
+/// Many undecided starts make an ensemble worthless, so the note then gives the reason. Balls that are never released
+/// are noted even if only one start has them.
 void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt& undecided, const LookAt& stalled);
 
 }  // namespace equipoise

@@ -19,7 +19,7 @@ bool same(const Fate& a, const Fate& b) {
 
 }  // namespace
 
-// A few are enough: where arithmetic differs, most starts' decision times differ too.
+// A few are enough: if arithmetic differs, so do most starts' decision times.
 void check_stored(const BasinFile& file, const std::string& path, std::uint64_t stored, const std::string& target,
                   const std::function<bool(Chunk&)>& decide) {
   const auto& targets = file.cpu_targets();

@@ -31,7 +31,7 @@ void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t e
 }
 
 /// Decides a few of the first `stored` starts again before any is added. A different build or instruction set may give
-/// other bits, and the file would then mix two kinds. Throws InputError if a fate differs. `decide` decides and settles
+/// other bits, and the file would then mix two kinds. Throws InputError if a Fate differs. `decide` decides and settles
 /// a chunk, and returns false if stopped.
 void check_stored(const BasinFile& file, const std::string& path, std::uint64_t stored, const std::string& target,
                   const std::function<bool(Chunk&)>& decide);

@@ -1,4 +1,4 @@
-// Counts fates, and says where sampling may end.
+// Counts outcomes, and decides when sampling may end.
 #include "equipoise/analyses/ensembles/tally.hpp"
 
 #include <algorithm>
@@ -141,7 +141,7 @@ void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
     const bool measured = a.motion.kind == MotionKind::measured;
     if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed && !measured) continue;
     OutcomeShare one = share(a);
-    // A measured kind of motion is reported only if a start came to it.
+    // A measured kind of motion is reported only if a start ended in it.
     if (one.share.count > 0 || a.id == balanced_id || !measured) result.attractors.push_back(std::move(one));
   }
   result.undecided = share(Outcome::undecided);

@@ -1,4 +1,4 @@
-// Counts fates in index order and makes their shares, for each sampling method.
+// Counts outcomes in index order and computes their shares, for each sampling method.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace equipoise {
 
-/// Takes fates by index, from start 0 on.
+/// Takes outcomes by index, from start 0 on.
 class Tally {
  public:
   /// `settled`: study time at which the last piece of the drive begins. Decision times count from there.

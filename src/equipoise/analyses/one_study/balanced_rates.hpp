@@ -50,8 +50,8 @@ struct BalancedRates {
   std::vector<std::complex<double>> rates;  ///< slowest first; ln(multiplier)/period where the equations repeat
   std::optional<PeriodicOrbit> orbit;       ///< what the balanced state became, where nothing rests
 };
-/// At the balanced state with these ball angles; of a motor with nothing that depends on the rotor's angle, too. Empty
-/// if gravity or unequal supports leave no balanced motion, or if `stop` is set.
+/// At the balanced state with these ball angles; also under a motor, if nothing depends on the rotor's angle. Empty if
+/// gravity or unequal supports leave no balanced motion, or if `stop` is set.
 std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family,
                                             const StopFlag* stop = nullptr);
 

@@ -44,7 +44,7 @@ std::vector<std::string> settings(const SweepPlan& plan, const CapacityOptions& 
   return unbalances_in_proportion(plan, study::measure(given, {study::Dimension::unbalance}).value);
 }
 
-// Of the starts that do what is asked.
+// Of the starts that meet the requirement.
 Share asked_share(const BasinResult& result, const std::string& by) {
   if (by == "balanced") return result.attractors.front().share;
   const TransientGroup& all = result.transients->groups.front();
@@ -58,7 +58,7 @@ Share asked_share(const BasinResult& result, const std::string& by) {
 // their turn comes, so that all others come out as if there had been one run.
 class Boundary {
  public:
-  /// `workers`: who makes trials that are not known; null: nobody, it stops there.
+  /// `workers` make the trials that are not known; null: it stops there.
   Boundary(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, std::vector<CapacityTrial> known,
            const BlockWorkers* workers)
       : plan_(plan), options_(options), cell_(cell), known_(std::move(known)), workers_(workers) {}
@@ -78,7 +78,7 @@ class Boundary {
 
   // Empty if stopped.
   std::optional<CapacityCell> find() {
-    // Beyond the first value at which the share is surely too small nothing matters.
+    // Nothing matters beyond the first value at which the share is certainly too small.
     for (int k = 0; k <= scan; ++k) {
       const CapacityTrial* made = trial(options_.from + (options_.to - options_.from) * k / scan);
       if (!made) return std::nullopt;

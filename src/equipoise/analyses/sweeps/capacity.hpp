@@ -49,10 +49,10 @@ Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std:
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
-/// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
-/// on the same starts. Throws InputError if a study at either end of the range, or one step into it, is none, or for
-/// unusable output files, RunError if the output fails later. The result depends on the plan and on what is asked
-/// alone.
+/// balance, then bisection for where the balanced share, and each end of its interval, first falls below the required
+/// one, all on the same starts. Throws InputError if a study at either end of the range, or one step into it, is
+/// invalid, or for unusable output files, RunError if the output fails later. The result depends only on the plan and
+/// the requirement.
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
 
 }  // namespace equipoise

@@ -24,7 +24,7 @@ class SurveyRun {
   virtual ~SurveyRun() = default;  // who derives from it dismisses helpers first: they call what it overrides
 
   // For helpers, from any thread.
-  /// A block that nobody works on yet; none once all are given out or the work is to stop.
+  /// A block that is not yet given out; none once all are, or the work is to stop.
   std::optional<std::size_t> next_block();
   CellRecord known(std::size_t cell) const;
   /// It is in the file, if there is one, when this returns.

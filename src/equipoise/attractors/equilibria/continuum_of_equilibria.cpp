@@ -27,7 +27,7 @@ using Eigen::VectorXd;
 
 // Fraction of the slowest rate that the form's decay must reach: closer to 1 it would be all slow directions.
 constexpr double share_of_rate = 0.8;
-// Slower rates cannot be told from a continuum's zeros, which double precision leaves at 1e-8.
+// Slower rates cannot be distinguished from a continuum's zeros, which double precision leaves at 1e-8.
 constexpr double least_rate = 1e-6;
 // For the map over one period of the section, of which only level sets are needed.
 constexpr double map_tolerance = 1e-9;
@@ -90,7 +90,7 @@ bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) c
   } else {
     change = scaled(model::jacobian(system_, m.centre));
   }
-  // Range and kernel, of the transpose too, by rank-revealing QR: at an attracting member the zeros are semisimple.
+  // Range and kernel, also of the transpose, by rank-revealing QR: at an attracting member the zeros are semisimple.
   const MatrixXd q = dense::pivoted_orthogonal_factor(change);
   const MatrixXd kernel = dense::pivoted_orthogonal_factor(change.transpose());
   m.range = q.leftCols(across);

@@ -74,8 +74,8 @@ class ContinuumOfEquilibria {
   /// The level that `factor` gives a member.
   static double level(const ContinuumMember& member, double factor);
   /// Whether the state's destination attracts at `slowest_rate` (negative) or faster, and V lies below its level. Under
-  /// gravity that must hold as far as the destination creeps in 20 000 time units. A slower destination that rests must
-  /// attract, too, and V must lie below the level that `slow_factor` gives it; 0: slower ones do not count.
+  /// gravity that must hold as far as the destination creeps in 20 000 time units. A slower destination at rest must
+  /// also attract, and V must lie below the level that `slow_factor` gives it; 0: slower ones do not count.
   bool holds(const Eigen::VectorXd& state, double factor, double slowest_rate, double slow_factor = 0.0) const;
 
   /// Short once `stop` is set.

@@ -1,6 +1,6 @@
-// All equilibria of a rotor that Newton's method finds from many arrangements of its balls, stable or not. Of rotors
-// that tilt about the centre of one race also continua of them: three balls or more in that race balance its share at
-// any of many angles, while the others do not balance theirs.
+// All equilibria of a rotor, stable or not, that Newton's method finds from many arrangements of its balls. For rotors
+// tilting about the centre of one race, also continua: three or more balls in that race balance its share at any of
+// many angles, while the others do not balance theirs.
 // This room: equilibria and continua of them, and what balls held by friction leave.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace equipoise {
 /// continuum. The speed is prescribed, and nothing depends on the rotor's angle.
 std::vector<Equilibrium> unbalanced_equilibria(const model::System& system, int starts, const StopFlag* stop = nullptr);
 
-/// Whether ball `i` is one of three or more in a race whose centre rests on the axis while the rotor shakes.
+/// Whether ball `i` is one of three or more in a race whose centre rests on the axis while the rotor vibrates.
 bool has_free_angle(const model::System& system, const Eigen::VectorXd& equilibrium, int i);
 /// How many angles such balls leave free: as many eigenvalues are zero. 0 of all other equilibria.
 int free_angles(const model::System& system, const Eigen::VectorXd& equilibrium);

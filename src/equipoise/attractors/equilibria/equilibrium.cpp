@@ -38,8 +38,8 @@ double rounding_of_rates(const model::System& system, const VectorXd& state) {
 }  // namespace
 
 std::optional<Equilibrium> refine_equilibrium(const model::System& system, const VectorXd& guess) {
-  // Levenberg-Marquardt steps with damping |f|^2. They are as fast as Newton's near isolated equilibria, and near
-  // continua too, where they tend to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
+  // Levenberg-Marquardt steps with damping |f|^2. They are as fast as Newton's near isolated equilibria and also near
+  // continua, where they tend to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
   constexpr int most_iterations = 100;
   const double target = rounding_of_rates(system, guess);
   VectorXd z = guess, rate = model::rate(system, z);

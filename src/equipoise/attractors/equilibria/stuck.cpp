@@ -49,7 +49,7 @@ class PrescribedEnd {
   double r_mean() const { return std::abs(with_); }
   double waver() const { return std::abs(against_); }
 
-  // Whether no ball is torn off at any rotor angle, even if the race accelerates by up to `more` besides.
+  // Whether no ball is torn off at any rotor angle, even if the race accelerates by up to `more` in addition.
   bool holds_all(const Eigen::VectorXd& y, double more) const {
     const double counter = w_ * w_ * std::abs(against_);
     const int looks = counter + p_.gravity > 0.0 ? 128 : 1;

@@ -100,7 +100,7 @@ Approach settle_with_events(const model::System& system, const Eigen::VectorXd& 
 /// Whether no balls touch on a motion of the system without contact.
 bool stays_clear(const model::System& system, const Motion& motion);
 
-/// The same system with balls that pass each other and do not stick.
+/// The same system, but its balls pass each other and do not stick.
 model::System without_events(const model::System& system);
 
 }  // namespace equipoise

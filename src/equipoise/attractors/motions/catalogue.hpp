@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// A name without the number that tells motions of one name apart: "locked (2)" becomes "locked", "locked (2 together)"
-/// stays.
+/// A name without the number that distinguishes motions of one name: "locked (2)" becomes "locked", "locked (2
+/// together)" stays.
 std::string without_number(const std::string& name);
 
 class Catalogue {

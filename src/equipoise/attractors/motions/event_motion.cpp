@@ -94,7 +94,7 @@ class EventJourney final : public Journey {
     const model::System passing = without_events(system_);
     Approach settling = equipoise::settle(passing, state_, std::max(patience_ - elapsed_, elapsed_), stop_);
     if (!settling.motion || !settling.motion->stable || !stays_clear(system_, *settling.motion)) return std::nullopt;
-    // No contact on the way there, either.
+    // No contact before it is reached, either.
     Eigen::VectorXd z = state_;
     EventLog log;
     if (!travel(z, whole(settling.time), nullptr, nullptr, &log) || log.count > 0) return std::nullopt;

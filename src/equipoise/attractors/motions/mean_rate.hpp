@@ -38,8 +38,8 @@ struct MeanRate {
 /// error from sixteen blocks.
 MeanRate mean_rate(const AngleRecord& record, bool regular);
 
-/// Whether an angle drifts, or only comes and goes. `matters`: the least drift of chaotic motion that must be told from
-/// none.
+/// Whether an angle drifts, or only swings back and forth. `matters`: the least drift of chaotic motion that must be
+/// distinguished from none.
 enum class Drift { none, some, unknown };
 Drift drift_of(const MeanRate& mean, bool regular, double matters);
 

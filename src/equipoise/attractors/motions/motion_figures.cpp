@@ -107,7 +107,7 @@ MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, c
   if (balanced_exactly(p, motion)) return {};
   const model::System system = system_of(p, motion);
   MotionFigures figures = followed(system, shaft, motion, stretch(p, motion));
-  const bool at_centre = shaft.places == std::array<double, 2>{};  // of which the motion tells
+  const bool at_centre = shaft.places == std::array<double, 2>{};  // where the motion has r_max
   if (at_centre || !p.tilts()) figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
 }

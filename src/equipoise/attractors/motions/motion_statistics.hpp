@@ -77,7 +77,7 @@ struct EventLog {
   bool reverses = false;          ///< some free ball's rate changed sign
 };
 
-/// The same for a system with events, which follow() takes too; sets `log`.
+/// The same for a system with events, which follow() also accepts; sets `log`.
 IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
                                 EventLog& log, MotionStatistics* statistics = nullptr,
                                 std::vector<Eigen::VectorXd>* samples = nullptr, const StopFlag* stop = nullptr);

@@ -107,7 +107,7 @@ class EventRun {
  private:
   int n() const { return system_.balls(); }
 
-  // The machine's state, in which balls that touch up to integration errors touch exactly.
+  // The machine's state, in which balls touching up to integration errors touch exactly.
   std::array<double, dimension> beginning(const double* y, double psi) const {
     constexpr double touching = 1e-7, together = 1e-8;
     std::array<double, dimension> z{};

@@ -40,7 +40,7 @@ struct AttractorSearchSettings {
   double starts = many_starts;         ///< that the search serves: it does less for few (SearchPlan)
   WarmStartLevels warm_start_levels = {};
   SearchLog* notes = nullptr;  ///< log of the steps of searches, or null
-  std::string family{};        ///< tells a family's notes from those of others
+  std::string family{};        ///< distinguishes a family's notes from those of others
 };
 
 /// All that is found before the first start is decided. It depends on the rotor, its final speed, [numerics] and the

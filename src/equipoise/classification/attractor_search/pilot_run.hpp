@@ -1,4 +1,4 @@
-// The pilot's trajectories: their states at the final speed, made once, and their fates under a rule.
+// The pilot's trajectories: their states at the final speed, computed once, and their outcomes under a rule.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +56,7 @@ class PilotRun {
               StageProgress& stages, NotePage& notes);
 
   std::size_t size() const { return fates_.size(); }
-  /// How many fates and records are known.
+  /// How many outcomes and records are known.
   std::size_t followed() const { return followed_; }
   const std::vector<Fate>& fates() const { return fates_; }
   const std::vector<PilotRecord>& records() const { return records_; }

@@ -137,10 +137,10 @@ void make_boxes(Search& search, const std::vector<Candidate>& found);
 /// Sets how many hits each box takes, by what the whole pilot did under trapping regions and stationarity alone.
 /// `found`: candidates of the pilot.
 void audit_boxes(Search& search, const std::vector<Candidate>& found);
-/// If all random scouts came to listed motions and no box needs an audit, the rest of the pilot would only find motions
-/// rarer than one in a thousand. Session lists those too, once a start comes to one. At a prescribed speed without
-/// events and gravity, the rest costs less than following a few such starts; in all other cases it is most of the
-/// search.
+/// If all random scouts ended in listed motions and no box needs an audit, the rest of the pilot would only find
+/// motions rarer than one in a thousand. Session also lists those, once a start ends in one. At a prescribed speed
+/// without events and gravity, the rest costs less than following a few such starts; in all other cases it is most of
+/// the search.
 bool scouts_suffice(const Search& search);
 
 /// Where rotors differ: fits how a candidate's motion looks on the others (FeatureTrends::add()). False if stopped.

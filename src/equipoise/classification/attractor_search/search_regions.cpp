@@ -134,8 +134,8 @@ void SearchRegions::add_listed(const Attractor& a) {
   if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
 }
 
-// Windows recognise all others. States of a tilting rotor have so many directions that trials would cost more than
-// they save, and so do all trials for few starts.
+// Windows recognise all others. States of a tilting rotor have too many directions: trials would cost more than they
+// save, as do all trials for few starts.
 bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
   return !motion.eventful && (id == balanced_id || !(s_.system.tilts() || s_.settings.mode == SearchMode::few));
 }

@@ -128,8 +128,8 @@ class RaySearch {
 };
 
 // The least V^(1/2) below `limit` with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest: on
-// the critical level the gradients of V and dV/dt point the same way. Stiff rotors have narrow level sets, with so few
-// directions of early growth that random ones miss them.
+// the critical level the gradients of V and dV/dt point the same way. Stiff rotors have narrow level sets with few
+// directions of early growth, which random ones miss.
 template <class Flow>
 double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector direction, double limit) {
   using Vector = typename RaySearch<Flow>::Vector;

@@ -43,7 +43,7 @@ struct Certificate {
   model::System system() const;
 };
 
-/// The proof covers so much more than `level`, relatively: rounding in a program's test V < level is far below it.
+/// The proof covers this much more than `level`, relatively: rounding in a program's test V < level is far below it.
 inline constexpr double level_slack = 1e-9;
 
 /// Relative margin by which a search must succeed: far above rounding, so that another compiler's does not refute it,

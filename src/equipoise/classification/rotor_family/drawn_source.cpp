@@ -15,7 +15,7 @@ DrawnSource::DrawnSource(const StudyFamily& family, const FamilyBox& box, const 
       box_(box),
       middle_(make_spin_up(study_, stop)) {}
 
-// Draw `index`, or the middle if the draw is no study or cannot share lanes with it.
+// Draw `index`, or the middle if the draw is not a valid study or cannot share lanes with it.
 StudyFamily::Placed DrawnSource::drawn(std::uint64_t index) const {
   try {
     Study study = at_final_speed(family_.draw(box_, index));

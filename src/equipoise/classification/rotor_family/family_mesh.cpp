@@ -207,7 +207,7 @@ class MeshMaker {
     task.take(states, own, begins);
     std::vector<Fate> later(count);
     if (!classify_batch(task, cell.search.rule, later, nullptr)) return false;
-    // These fates stand for those of all open starts.
+    // These outcomes represent those of all open starts.
     for (std::size_t k = 0; k < open.size(); ++k) fates[open[k]] = later[k % count];
     return true;
   }

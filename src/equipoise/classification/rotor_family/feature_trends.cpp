@@ -71,7 +71,7 @@ int FeatureTrends::add(int balls, double agreement, const ShownFeatures& first, 
     const double tolerance = fit.degree() == 0 ? as_neighbours : agreement;
     if (same_motion(fit.at(s.coordinates), s.features, balls, tolerance)) used.push_back(&s);
   }
-  // Examples accepted before the trend was clear are judged by it too.
+  // Examples accepted before the trend was clear are also judged by it.
   for (int round = 0; round < 3; ++round) {
     const Fit fit(used, balls);
     if (fit.degree() == 0) return -1;

@@ -20,7 +20,7 @@ struct ShownFeatures {
 /// entry of a rule then recognises the motion on all rotors, once features are brought back to the part's middle.
 class FeatureTrends {
  public:
-  /// Fits the trend of a motion. `first` surely shows it; `others` come from rotors that began there, and some went
+  /// Fits the trend of a motion. `first` certainly shows it; `others` come from rotors that began there, and some went
   /// elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). Returns the row of
   /// OwnRotor::shifts that it fills, or -1 if too few stayed.
   int add(int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);

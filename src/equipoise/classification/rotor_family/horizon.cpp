@@ -22,11 +22,11 @@ namespace {
 // A deviation that changes by e^10 has come from anywhere into a trapping region, or from a ten thousandth of anything
 // out of reach.
 constexpr double e_foldings = 10.0;
-// Chaotic transients and slow tori have rates that nobody knows beforehand. With three balls, beta = 0.05, Omega = 2.4
-// and gravity 0.01, 12 % take more than 20 000 and 1 % more than 50 000. Only undecided starts run that long, so few
-// pay for it.
+// The rates of chaotic transients and slow tori are not known beforehand. With three balls, beta = 0.05, Omega = 2.4
+// and gravity 0.01, 12 % take more than 20 000 and 1 % more than 50 000. Only undecided starts run that long, so the
+// cost is small.
 constexpr double shortest = 50000.0;
-// Where every start runs to the horizon, all pay: no longer than the rates ask, or than chaos commonly lasts.
+// If every start runs to the horizon, it is no longer than the rates require, or than chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
 // With events: touching balls take longer to end in a motion.
 constexpr double shortest_with_events = 24000.0;

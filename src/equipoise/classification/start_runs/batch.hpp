@@ -1,4 +1,4 @@
-// Starts of a session on their way from index to fate, side by side on lanes.
+// Starts of a session, taken from index to outcome side by side on lanes.
 #pragma once
 
 #include <optional>

@@ -100,8 +100,8 @@ void check_drawable(const Study& study, bool transients) {
   }
 }
 
-// Of a tilting rotor: clamped balls are followed at a prescribed speed alone; and no energy is known that would tell
-// whether one that coasts comes to rest.
+// For a tilting rotor, clamped balls are followed only at a prescribed speed, and no energy is known that would show
+// whether it coasts to rest.
 void check_tilting(const Study& study) {
   if (!study.parameters.tilts()) return;
   const bool clamped = study.release_time() > 0.0;

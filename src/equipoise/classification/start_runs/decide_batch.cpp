@@ -40,7 +40,7 @@ bool Session::Batch::begin(std::span<const InitialState> given) {
   return s_.source_->follow(parted(s_.study_.parameters, given), starts_, watched_table());
 }
 
-// Applies the rule to all starts that are not over; the others keep their fates.
+// Applies the rule to all starts that are not over; the others keep their outcomes.
 bool Session::Batch::classify() {
   fates_ = starts_.fates;
   if (few()) records_.emplace(starts_.size());
@@ -216,7 +216,7 @@ std::optional<UnlistedStart> Session::Batch::followed(std::size_t i, double now,
   return start;
 }
 
-// A start that looks like one followed before has come to the same motion.
+// A start that looks like one followed before has reached the same motion.
 std::optional<UnlistedStart> Session::Batch::unlisted_of_few(std::size_t i, double now) {
   const PilotRecord& record = (*records_)[i];
   const KnownFeatures* like =
@@ -276,7 +276,7 @@ std::optional<UndecidedEnd> Session::Batch::look() {
 }
 
 // Compares a driven rotor's last speed with `before`, the mean over its last long window. For motions that are not
-// chaotic. hardly_seen: it was watched over too few short windows to tell one from the next.
+// chaotic. hardly_seen: it was watched over too few short windows to compare them.
 Restlessness Session::Batch::restlessness(double before) const {
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;

@@ -138,7 +138,7 @@ bool Session::Batch::meet(std::span<const std::size_t> rotor, std::span<MetMotio
   return true;
 }
 
-// Adds the motion that a start comes to, unless it is already there. False if it comes to none, or if stopped.
+// Adds the motion that a start ends in, unless it is already there. False if it ends in none, or if stopped.
 bool Session::Batch::meet(std::size_t i, MetMotions& met) const {
   const PilotRecord& record = (*records_)[i];
   if (!record.finished_window) return false;

@@ -1,4 +1,4 @@
-// Prepares one rotor or a family, and takes its starts from index to fate in batches.
+// Prepares one rotor or a family, and takes its starts from index to outcome in batches.
 #include "equipoise/classification/start_runs/session.hpp"
 
 #include <algorithm>

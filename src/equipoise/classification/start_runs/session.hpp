@@ -1,5 +1,5 @@
 // Decides the starts of a system, many at a time on SIMD lanes, by attractors found beforehand.
-// This room: one start from index to fate, in a batch, for every kind of rotor.
+// This room: one start from index to outcome, in a batch, for every kind of rotor.
 #pragma once
 
 #include <cstdint>
@@ -40,11 +40,11 @@ struct BalanceNote {
   Note note;            ///< if not, why no start can end balanced
 };
 
-/// The fates of starts, in order.
+/// The outcomes of starts, in order.
 struct Decided {
   std::vector<double> phi;  ///< initial ball angles, `balls` a start; empty for given starts
   std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;   ///< their fates have attractor 0 until RunCatalogue::settle()
+  std::vector<UnlistedStart> unlisted;   ///< Fate::attractor is 0 until RunCatalogue::settle()
   std::vector<TransientRow> transients;  ///< of every start, if the session gathers them
 };
 
@@ -74,7 +74,8 @@ class Session {
   /// Spins up and searches for attractors. With uncertain values, the rotors that starts draw are the family. The study
   /// must have passed check_runnable(). Check stopped() afterwards. `transients`: gathers those of every start.
   Session(const Study& study, const AttractorSearchSettings& settings, bool transients = false);
-  /// For these starts of a family; also measures Fate::radius. `study` belongs to the family; fates are in its units.
+  /// For these starts of a family; also measures Fate::radius. `study` belongs to the family; outcomes are in its
+  /// units.
   Session(const Study& study, StudyFamily family, const FamilyStarts& starts, const AttractorSearchSettings& settings);
 
   /// Decides starts first .. first + count - 1. False if stopped early, as for all starts below.
@@ -137,7 +138,7 @@ class RunCatalogue : public Catalogue {
 
   /// The identifier of the motion that an unlisted start came to, listed if need be; 0 if it is not stable.
   int list(const UnlistedStart& start);
-  /// Writes the motion that it came to into its fate; without a steady one the start is undecided.
+  /// Writes the motion that it reached into its Fate; without a steady one, the start is undecided.
   int settle(const UnlistedStart& start, Fate& fate);
   /// The same for all, in order.
   void settle(Decided& decided);

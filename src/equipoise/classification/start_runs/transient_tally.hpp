@@ -18,7 +18,7 @@ namespace equipoise {
 
 /// The settings for every trajectory of `study`.
 TransientSettings transient_settings(const Study& study);
-/// The same for a rotor drawn for a start, forces told as in `of_all`: of each bearing, or of all supports together.
+/// The same for a rotor drawn for a start, with forces as in `of_all`: of each bearing, or of all supports together.
 TransientSettings transient_settings(const Study& drawn, const TransientSettings& of_all);
 
 /// Whether the drive's work can be computed: for a motor; or for a prescribed speed without contact and dry friction,
@@ -46,7 +46,7 @@ class TransientTally {
       weight += w;
     }
   };
-  // Starts that have a property; undecided ones that may still come to it, or lose it.
+  // Starts that have a property; undecided ones that may still gain or lose it.
   struct Having {
     Weighed all, may_come, may_go;
 

@@ -53,7 +53,7 @@ bool stays_near_balance(const model::System& system, double speed, const Eigen::
          std::all_of(later.begin(), later.end(), is_near);
 }
 
-// Positive if it surely is, otherwise 0.
+// Positive if it certainly is, otherwise 0.
 double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
   for (const double time : {exponent_time, longer_time}) {
     const std::vector<double> exponents = lyapunov_exponents(system, state, time, 1);

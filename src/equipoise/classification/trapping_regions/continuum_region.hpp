@@ -28,7 +28,7 @@ class ContinuumEstimate {
 
   /// Errors of depths, from each member and the states around it as the other members see them.
   struct Errors {
-    double shortfall = 0.0;  ///< largest factor by which depths are too small; 0 if members are too far apart to tell
+    double shortfall = 0.0;  ///< largest factor by which depths are too small; 0 if members are too far apart to know
     double excess = 0.0;     ///< largest factor by which they are too great
     double floor = 0.0;      ///< largest depth on the continuum itself
   };
@@ -87,8 +87,8 @@ struct ContinuumRegion {
   double slowest_rate = 0.0;                        ///< of the members tried (negative)
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  ///< centre of members' x, y, u, v (on a section)
   double reach = 0.0;  ///< bound inside on x, y, u, v from `place`, and on velocities and unbalance from balance
-  /// Estimates V from members tried beforehand, for V itself takes an analysis of the state's member. Null if it cannot
-  /// tell inside from outside.
+  /// Estimates V from members tried beforehand, because V itself takes an analysis of the state's member. Null if it
+  /// cannot separate inside from outside.
   std::shared_ptr<const ContinuumEstimate> estimate;
   double deep = 0.0;  ///< below this share of its level by the estimate, a state is inside
   double far = 0.0;   ///< above it, a state counts as outside; between them V is computed

@@ -116,8 +116,8 @@ int first_good(int bad, int end, const std::function<bool(int)>& good) {
   return halved(bad, std::min(far, end), good);
 }
 
-// The first good step near a guess: the guess, unless a few trials pass so far before it that all trials may pass
-// before it too. (All of them pass some three steps later than a few.)
+// The first good step near a guess: the guess, unless a few trials pass so far before it that all trials may also pass
+// before it. (All of them pass some three steps later than a few.)
 int first_good_near(int near, const std::function<bool(int)>& few_pass) {
   constexpr int before = 6;
   for (int by = before; near > 0; by *= 2) {
@@ -129,7 +129,7 @@ int first_good_near(int near, const std::function<bool(int)>& few_pass) {
 }
 
 // The first good step without a guess. The highest is tested first: many levels are bounded by how far trials may
-// begin, not by their outcome. Where low levels may fail, too, levels that fall by a factor of four are tried last.
+// begin, not by their outcome. If low levels may also fail, levels that fall by a factor of four are tried last.
 int first_good_anywhere(int steps, bool low_may_fail, const std::function<bool(int)>& few_pass) {
   if (steps > 0 && few_pass(0)) return 0;
   const int found = halved(0, steps, few_pass);

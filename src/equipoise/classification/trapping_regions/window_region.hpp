@@ -72,13 +72,13 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& la
 /// System::scale() V is the square of the distance or more.
 ///
 /// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
-/// lack the motion, or barely have it, are known too. A rotor closer to one of them than any that has the motion gets
+/// lack the motion, or barely have it, are also known. A rotor closer to one of them than any with the motion is gets
 /// an infinite V.
 class PathRegion final : public WindowRegion {
  public:
   /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
   /// periodic, too slow an approach, too many exchange images, Floquet vectors that double precision cannot separate,
-  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; null, too, if
+  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; also null if
   /// few of them have it.
   static std::shared_ptr<PathRegion> around(const model::System& system, const Motion& motion, int attractor,
                                             const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,

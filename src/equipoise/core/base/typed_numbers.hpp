@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// Relative. A conversion of units errs by some 1e-15; nobody types ten digits that matter.
+/// Relative. A conversion of units errs by some 1e-15; no one types ten digits that matter.
 inline constexpr double typed_rounding = 1e-9;
 
 inline bool at_most(double value, double limit) { return value <= limit + typed_rounding * std::abs(limit); }

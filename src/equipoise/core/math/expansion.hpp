@@ -1,6 +1,6 @@
 // Polynomials of first degree in (x, y, u, v, q_1..q_n) plus the squares q_i^2, with coefficients of any number type.
-// For driven rotors the speed and the control's error integral are variables too; products of the speed with any
-// variable are then terms.
+// For driven rotors, the speed and the control's error integral are also variables, and products of the speed with any
+// variable are terms.
 //
 // A number type of the equations (requirements: core/base/pack-inl.hpp): run on it, the equations return their own
 // coefficients. `beyond` reports a product outside this set; the present equations never form one.

@@ -16,7 +16,7 @@ double rare_p_value(std::uint64_t k1, double n1, std::uint64_t k2, double n2) {
   const std::uint64_t sum = k1 + k2;
   if (sum == 0) return 1.0;
   const Binomial law{static_cast<double>(sum), n1 / (n1 + n2)};
-  // Outcomes as likely as the observed one count too; the factor keeps rounding from deciding ties.
+  // Outcomes as likely as the observed one also count; the factor keeps rounding from deciding ties.
   const double seen = law.mass(k1) * (1.0 + 1e-9);
   double p = 0.0;
   for (std::uint64_t k = 0; k <= sum; ++k)

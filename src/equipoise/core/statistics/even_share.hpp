@@ -33,7 +33,7 @@ struct PairedCounts {
 
 /// Weighted share. In a cell of weight w with independent starts y_1, y_2, w^2 (y_1 - y_2)^2 / 4 estimates the variance
 /// of its mean without bias, and the sum over cells that of the whole (S. Haber, Math. Comp. 21 (1967) 388). Student's
-/// t with `split` degrees of freedom, fewer than the 2 `split` of a sum of so many rare terms.
+/// t with `split` degrees of freedom, fewer than the 2 `split` of a sum of `split` rare terms.
 ///
 /// Wilson's interval if `complete` is false (the cells are then a sample), if fewer than fewest_for_spread starts have
 /// the outcome or lack it, or if fewer than 10 cells are split. It is too wide, if anything: a jittered grid's variance

@@ -238,7 +238,7 @@ Brief regions_list(const BifurcationChart& chart) {
   return {lines, "", std::string_view("A 100.0 %  ").size()};
 }
 
-// What the list leaves out, and what regions do not tell.
+// What the list leaves out, and what regions do not show.
 std::string region_notes(const BifurcationChart& chart) {
   std::string text;
   if (!chart.no_locked.empty()) text += fmt::format("Of other states at rest nothing is told: {}.\n", chart.no_locked);

@@ -24,7 +24,7 @@ DrawingRow row_with(const std::string& drawing, const StabilityPlane& plane, boo
   return row;
 }
 
-// Every so many-th row and column.
+// Every n-th row and column.
 StabilityPlane drawn_part(const StabilityPlane& plane) {
   const int longest = std::max(plane.x.pixels, plane.y.pixels);
   const int every =

@@ -64,7 +64,7 @@ std::string chart_csv(const BifurcationChart& chart);
 /// special points; letters of regions.
 DrawingRow chart_drawing(const BifurcationChart& chart);
 
-/// Regions that are told of and drawn, the largest first: no part below half a percent, and at most as many as letters.
+/// Regions that are listed and drawn, the largest first: no part below half a percent, and at most one per letter.
 inline std::size_t told_regions(const BifurcationChart& chart) {
   constexpr std::size_t letters = 26;
   std::size_t count = 0;

@@ -11,9 +11,9 @@ namespace equipoise {
 
 /// Over the grid of StabilitySettings. Progress is in points of the grid, then in cycles.
 struct ChartSettings : StabilitySettings {
-  std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved
+  std::uint64_t boxes = 200000;  ///< the most that are judged; 0: nothing is proved
   double undecided = 0.01;       ///< the part of the plane at which proofs may end
-  bool cycles = false;           ///< curves of cycles are looked for too, which takes longer than all else
+  bool cycles = false;           ///< also look for curves of cycles, which takes longer than all else
 };
 
 /// Curves begin where neighbours of the grid differ, at the changes next to the study's own values, and between boxes

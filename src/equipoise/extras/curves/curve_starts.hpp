@@ -57,8 +57,8 @@ void add_curves_between_boxes(const PlaneStudies& plane, const StopFlag* stop, B
 /// before theirs are: a run that is stopped has those that it got to.
 void add_cycles(const PlaneStudies& plane, const RunOptions& run, BifurcationChart& chart);
 
-/// Curves of locked states and the chart's regions. For a rotor whose locked states are not known regions tell of
-/// balance alone, and chart.no_locked says why. The result does not depend on the number of threads.
+/// Curves of locked states and the chart's regions. If a rotor's locked states are not known, regions show only
+/// balance, and chart.no_locked says why. The result does not depend on the number of threads.
 void add_locked_states(const PlaneStudies& plane, int threads, const StopFlag* stop, BifurcationChart& chart);
 
 /// What exists at a point.

@@ -163,7 +163,7 @@ bool CycleCurve::too_far(const CurvePlace& before, const CurvePlace& place) cons
 std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePlace& b,
                                               const PlaceNumber& value) const {
   // Values of a turn have errors of 1e-9, which may be more than the least: then places no longer differ. A pole, at
-  // which a value changes its sign too, is none.
+  // which a value also changes its sign, is not a zero.
   constexpr double least = 1e-7, pole = 1e-3;
   double low = 0.0, high = 1.0, at_low = value(a), at_high = value(b), last = INFINITY;
   const double size = std::max(std::fabs(at_low), std::fabs(at_high)), length = (b.at - a.at).norm();
@@ -214,8 +214,8 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
   return std::nullopt;
 }
 
-// Towards a state at rest the equations lose their grip: at its end two multipliers are 1. Where doubled cycles become
-// single ones they do, too: the curve on which single ones double their period passes there.
+// Towards a state at rest the equations become singular: at its end two multipliers are 1. They also do where doubled
+// cycles become single ones: the curve on which single ones double their period passes there.
 void CycleCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace& before, Way& way) const {
   if (add_single_cycle(way)) {
     way.end = CurveEnd::single_cycle;
@@ -246,7 +246,7 @@ void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, st
   if (!place) return;
   const std::complex<double> at = crossing(*place);
   const bool complex = at.imag() != 0.0;
-  // Rounding turns a double real multiplier, the curve's own and this, into a pair: a zero of double_zero, too.
+  // Rounding turns a double real multiplier, the curve's own and this, into a pair: also a zero of double_zero.
   if (const VectorXcd all = all_at(*place);
       complex && kind_ != CurveKind::cycle_torus && all[own_multipliers(all, kind_, place->pair)[0]] == std::conj(at))
     return;

@@ -36,7 +36,7 @@ std::optional<std::size_t> CycleCurve::same_chord(const CurvePlace& place, const
       const Vector3d there = timeless(passed->at);
       if ((there - here).norm() < same) return k;
       const double now = part_of(there);
-      if (std::fabs(now - wanted) * length < 0.1 * same) break;  // it passes beside
+      if (std::fabs(now - wanted) * length < 0.1 * same) break;  // it passes by
       if (part != last_part && now != last) slope = (now - last) / (part - last_part);
       last_part = part, last = now;
       part = std::clamp(part + (wanted - now) / slope, 0.0, 1.0);

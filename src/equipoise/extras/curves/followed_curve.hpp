@@ -25,7 +25,7 @@ struct CurvePlace {
   double turn = 0.0;         ///< left . second derivative along `right` twice: 0 where the fold itself turns back
 };
 
-/// What a kind of curve is, derived classes say: its equations, and what is told of a place.
+/// Derived classes define a kind of curve: its equations, and what is reported at a place.
 class FollowedCurve {
  public:
   FollowedCurve(const FollowedCurve&) = delete;
@@ -62,7 +62,7 @@ class FollowedCurve {
     std::vector<CurvePlace> places;
     CurveEnd end = CurveEnd::lost;
   };
-  /// Whether something turns by so much between two places that its turns cannot be counted.
+  /// Whether something turns too far between two places for its turns to be counted.
   virtual bool too_far(const CurvePlace&, const CurvePlace&) const { return false; }
   /// Why a way ends before this place, if it does; it may get a last place there.
   virtual std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const;
@@ -114,11 +114,11 @@ inline void put_state(const BalanceSpectrum& at, CurvePoint& point) {
   point.rates = at.rates;
 }
 
-/// What a swing does that is a little too large for linear theory, at a state of which a pair with about this frequency
-/// lies on the imaginary axis: its growth rate is Re(eigenvalue) + a^2 times this, a the amplitude, in radians, of the
-/// ball that swings most. First Lyapunov coefficient as in Kuznetsov, Elements of Applied Bifurcation Theory, section
-/// 5.4, with exact derivatives and this scale of the eigenvector. Empty for a member of a continuum, under a motor, and
-/// where the pair is no pair or another eigenvalue is 0.
+/// For an oscillation a little too large for linear theory, at a state with a pair of about this frequency on the
+/// imaginary axis: its growth rate is Re(eigenvalue) + a^2 times this, with a the amplitude, in radians, of the ball
+/// that swings most. First Lyapunov coefficient as in Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4,
+/// with exact derivatives and this scale of the eigenvector. Empty for a member of a continuum, under a motor, and if
+/// the pair is not a pair or another eigenvalue is 0.
 std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency);
 
 /// Unstable eigenvalues in addition to the pair.

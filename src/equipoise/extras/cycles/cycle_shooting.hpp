@@ -20,10 +20,10 @@ struct CycleShape {
   std::vector<Eigen::VectorXd> nodes;  ///< states at equally spaced times of one period
 };
 
-/// The longest period of cycles that are followed, from that with which they were born: close to a connection of a
-/// state at rest with itself it grows without bound.
+/// The longest period of cycles that are followed, from the one at birth: close to a homoclinic connection of a state
+/// at rest, it grows without bound.
 inline constexpr double longest_turns = 50.0;  ///< of the rotor; below the critical speed of one at that speed
-inline constexpr double longest_growth = 2.0;  ///< at least so many times that at birth
+inline constexpr double longest_growth = 2.0;  ///< at least this many times the one at birth
 double longest_period(const model::System& system, const CycleShape& shape, double at_birth);
 
 /// What follows from a shape in one system. Everything is in units of System::scale().

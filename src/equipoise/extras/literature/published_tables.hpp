@@ -142,10 +142,10 @@ struct ReproducedTable : CellCounts {
 /// One conclusion tested under one law.
 struct ConclusionResult {
   enum class Answer {
-    holds,         ///< every difference surely lies where the conclusion says
-    reversed,      ///< every difference surely lies on the other side
-    contradicted,  ///< at least one surely does
-    open,          ///< none does, but not all are sure
+    holds,         ///< every difference certainly lies where the conclusion says
+    reversed,      ///< every difference certainly lies on the other side
+    contradicted,  ///< at least one certainly does
+    open,          ///< none does, but not all are certain
     not_asked,
   };
   Answer answer = Answer::not_asked;

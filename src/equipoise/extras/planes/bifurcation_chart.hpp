@@ -14,7 +14,7 @@
 
 namespace equipoise {
 
-/// What happens on a curve. The values stand in files.
+/// What happens on a curve. The values are stored in files.
 enum class CurveKind : signed char {
   hopf = 0,         ///< a pair of eigenvalues crosses the imaginary axis
   zero = 1,         ///< a real eigenvalue at balance crosses zero
@@ -66,7 +66,7 @@ inline constexpr std::array<CurveNumber, 6> curve_numbers{{
      true},
 }};
 
-/// Why a curve ends. The values stand in files.
+/// Why a curve ends. The values are stored in files.
 enum class CurveEnd : signed char {
   plane = 0,          ///< at the plane's edge
   closed = 1,         ///< at its own beginning
@@ -93,7 +93,7 @@ struct ChartCurve {
   double error = 0.0;              ///< no point is further from the curve, as a part of the plane's sides
 };
 
-/// A point where a curve changes its kind. The values stand in files.
+/// A point where a curve changes its kind. The values are stored in files.
 enum class SpecialKind : signed char {
   generalised_hopf = 0,   ///< the first Lyapunov coefficient passes through 0
   double_hopf = 1,        ///< a second pair lies on the imaginary axis

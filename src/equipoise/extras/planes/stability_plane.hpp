@@ -18,7 +18,7 @@
 
 namespace equipoise {
 
-/// What balance does at a point. The values stand in files.
+/// What balance does at a point. The values are stored in files.
 enum class BalanceKind : signed char {
   not_computed = -1,
   open = -1,     ///< of a box: nothing is proved
@@ -92,12 +92,12 @@ struct OwnPoint {
   std::vector<BalanceBoundary> boundaries;  ///< down and up along x, then y; none if it lies outside the plane
 };
 
-/// Rows follow y, points within a row x; they stand at the centres of pixels.
+/// Rows follow y, points within a row x; they are the centres of pixels.
 struct StabilityPlane : RunInfo {
   Study study;  ///< as given; its values of the two keys play no part
   SliceAxis x, y;
   std::vector<BalancePoint> points;
-  std::optional<OwnPoint> own;  ///< none if the study's values are no single numbers
+  std::optional<OwnPoint> own;  ///< none if the study's values are not single numbers
   bool complete = true;
 
   std::size_t at(int column, int row) const {

@@ -27,7 +27,7 @@ std::string boxes_text(const Certificate& c) {
   return c.parameters.tilts() ? "one box" : fmt::format("{} boxes", c.boxes.size());
 }
 
-// A matrix whose rows and columns have these names, in blocks of so many columns as fit.
+// A matrix whose rows and columns have these names, in blocks of as many columns as fit.
 std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& names, const TextStyle& style) {
   constexpr std::size_t cell = 14, first = 13;
   const std::size_t all = names.size();

@@ -72,8 +72,8 @@ Study ramp_study(double zeta, double beta, double final, double duration, double
   return study;
 }
 
-// A state on the motion that the paper calls `alias`: the first random start that comes to it. V1 exists where the
-// balls coincide. V4 is met by one start in thirty thousand, so a known state is used.
+// A state on the motion that the paper calls `alias`: the first random start that ends in it. V1 exists where the balls
+// coincide. Only one start in thirty thousand ends in V4, so a known state is used.
 std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::Parameters& p, double speed,
                                         const StopFlag* stop) {
   constexpr std::uint64_t tries = 400;

@@ -18,8 +18,8 @@ inline constexpr std::uint64_t most_stability_points = std::uint64_t{1} << 24;
 
 class PlaneStudies {
  public:
-  /// Throws InputError for keys that are no numbers of rotor, balancer or speed, and for values that make no valid
-  /// study, looked for at the corners; so for what `check` throws of the study there.
+  /// Throws InputError for keys that are not numbers of rotor, balancer or speed, and if the study at a corner is
+  /// invalid; also passes on what `check` throws for the study there.
   PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y,
                const std::function<void(const Study&)>& check = {});
 
@@ -31,7 +31,7 @@ class PlaneStudies {
   const SliceAxis& y() const { return y_; }
   /// Whether a study can have these values.
   bool valid(double x, double y) const;
-  /// The given study's own values; none if one of them is no single number.
+  /// The given study's own values; none if one of them is not a single number.
   std::optional<double> own_x() const { return own(x_.key); }
   std::optional<double> own_y() const { return own(y_.key); }
 

@@ -1,4 +1,4 @@
-// What a test or a data sheet tells of supports and rotor, as the quantities of the equations.
+// What a test or a data sheet gives for supports and rotor, as the quantities of the equations.
 #pragma once
 
 #include "equipoise/core/base/standard_gravity.hpp"

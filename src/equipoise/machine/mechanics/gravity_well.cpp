@@ -20,7 +20,7 @@ namespace {
 std::optional<double> torque_at_rest(const System& system) {
   const DriveSegment& motor = system.drive().motor;
   if (system.section() != Section::turn || motor.slope > 0.0 || motor.integral != 0.0) return std::nullopt;
-  // A load only brakes. For a characteristic all points and the line after the last must do so too.
+  // A load only brakes. For a characteristic, so must all points and the line after the last.
   const double rest = motor.motor_torque(motor.begin, 0.0, 0.0);
   double slope = motor.slope;
   for (int k = 0; k < motor.bends.count; ++k) {

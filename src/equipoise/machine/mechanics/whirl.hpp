@@ -1,4 +1,4 @@
-// A tilting rotor, turning as one body: the speeds at which it whirls once a turn, and how its unbalance shakes it.
+// A tilting rotor, turning as one body: the speeds at which it whirls once per turn, and its response to unbalance.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 
 namespace equipoise::model {
 
-/// Of how many bearings of a rotor forces are told at most.
+/// The largest number of a rotor's bearings for which forces are reported.
 inline constexpr std::size_t most_bearings = 8;
 
 /// Springs and dampers at one place along the shaft, in X and Y.

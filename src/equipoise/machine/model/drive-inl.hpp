@@ -108,8 +108,8 @@ HWY_INLINE MotorState<Pack> motor_state(const MotorLanes& motor, const Pack& ela
   return result;
 }
 
-// Over one piece of a drive, in study time. Rotor angle, speed and speed error stand where `layout` says; `begin`: of
-// the piece, and `psi` the angle there, where it is no part of the state.
+// Over one piece of a drive, in study time. `layout` says where rotor angle, speed and speed error are in the state;
+// `begin`: of the piece, and `psi` the angle there, if it is not part of the state.
 template <class T>
 class RotorDrive {
  public:

@@ -1,4 +1,4 @@
-// What the equations of motion are told and what they tell: which terms are on, the rotor's motion, bodies and their
+// What goes into the equations of motion and what comes out: which terms are on, the rotor's motion, bodies and their
 // unbalance, what acts on balls and on a bearing. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_EQUATION_TERMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_EQUATION_TERMS_INL
@@ -86,8 +86,8 @@ struct BallActions {
   bool acted_on = true;       // else the next two are 0 for all balls
   T resistance[room] = {};    // rolling resistance over normal force, with the sign of the ball's rate
   T push[room] = {};          // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
-  // Of balls that touch and move as one; null: none do. Row i: of each ball of the group of ball i its share of the
-  // group's mass; of a ball by itself, 1 for itself.
+  // For touching balls that move as one; null: none do. Row i: for each ball of the group of ball i, its share of the
+  // group's mass; for a ball alone, 1 for itself.
   const T (*together)[room] = nullptr;
   BallForces<T, room>* forces = nullptr;  // receives what balls feel, if given
 };

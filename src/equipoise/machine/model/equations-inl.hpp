@@ -64,7 +64,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
     return body_derivative(rotor, rotor_, torque, z, dz);
   }
 
-  // The same of a rotor whose balls are told what to do.
+  // The same, with given actions on the balls.
   HWY_INLINE BodyResult<T> full_derivative(const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
                                            const T* torque, const T* z, T* dz) const {
     static_assert(terms.body && terms.actions);

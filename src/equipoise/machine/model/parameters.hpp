@@ -67,7 +67,7 @@ struct Parameters {
     return sum;
   }
   /// lambda + sum mu_i: the largest possible unbalance, and the order of magnitude of r and of the rotor's velocity.
-  /// Of a tilting rotor with the couple unbalance, and of the order of the tilt too.
+  /// For a tilting rotor, with the couple unbalance, and also of the order of the tilt.
   double all_unbalances() const {
     const double sum = eccentricity + total_mass();
     return tilts() ? sum + std::fabs(tilt.couple()) : sum;

@@ -1,4 +1,4 @@
-// Where each variable stands in a state, and what it is: one description of every state that is integrated, stored or
+// The place of each variable in a state, and what it is: one description of every state that is integrated, stored or
 // shown. A new variable of the rotor is a member here, and a line in state_layout.cpp.
 #pragma once
 

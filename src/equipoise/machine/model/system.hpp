@@ -1,5 +1,5 @@
 // The dynamical system that every question is about: rotor, supports, balls and the last piece of the drive. All rooms
-// above `model` ask it for its state and section; what an answer needs of it stands in capability.hpp.
+// above `model` ask it for its state and section; what an answer needs of it is in capability.hpp.
 // This room: parameters, equations of motion, the system, the layout of its state.
 #pragma once
 

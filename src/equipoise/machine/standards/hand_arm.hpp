@@ -11,8 +11,8 @@ double hand_arm_weighting(double frequency);
 /// square velocity of all directions together (m/s). For a circular orbit of radius r: W_h r omega^2.
 double hand_arm_acceleration(double frequency, double rms_velocity);
 
-/// Daily exposures A(8) over eight hours from which employers must act, and which nobody may exceed, m/s^2 (Directive
-/// 2002/44/EC, article 3).
+/// Daily exposures A(8) over eight hours from which employers must act, and which must not be exceeded, m/s^2
+/// (Directive 2002/44/EC, article 3).
 inline constexpr double exposure_action_value = 2.5, exposure_limit_value = 5.0;
 
 /// Hours of use after which the daily exposure reaches `value`: 8 (value/acceleration)^2. May exceed a day.

@@ -1,4 +1,4 @@
-// The answer in one sentence: how surely the rotor balances, which limits are exceeded, what is not known.
+// The answer in one sentence: how reliably the rotor balances, which limits are exceeded, what is not known.
 #include "equipoise/report/answers/answer.hpp"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ std::vector<std::size_t> done_cells(const Result& r) {
   return cells;
 }
 
-// What cells are compared by: starts that keep every limit where all of them tell it, else those that end balanced.
+// What cells are compared by: starts that meet every limit if all cells report it, otherwise those that end balanced.
 struct CellShares {
   explicit CellShares(const SweepResult& r)
       : limits(std::all_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return !c || kept_share(*c); })),

@@ -86,7 +86,7 @@ bool has_ends(const DesignMargin& m) {
   return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
 }
 
-// "ball diameter 10 to 15 mm"; what failed nowhere within what was tried is not told.
+// "ball diameter 10 to 15 mm"; a value that failed nowhere in the range tried is left out.
 std::string margins_words(const DesignResult& r) {
   constexpr std::size_t most_told = 3;
   std::string words;
@@ -108,7 +108,7 @@ std::string margins_words(const DesignResult& r) {
   return words;
 }
 
-// Whether the study as it is keeps all requirements, and the chosen design is not surely better.
+// Whether the study as it is meets all requirements, and the chosen design is not certainly better.
 bool as_good_before(const DesignResult& r, const DesignSample& now) {
   if (!r.before || r.before->figures.empty() || !r.feasible) return false;
   for (const DesignLimit& limit : r.limits) {

@@ -33,9 +33,9 @@ std::string thing_of(const std::string& key);
 std::string design_answer(const DesignResult& result);
 /// The first lines of a design's answer.
 struct DesignVerdict {
-  std::string words;    ///< what to buy, and whether all requirements are kept
+  std::string words;    ///< what to buy, and whether all requirements are met
   std::string because;  ///< the deciding numbers with their intervals, and those of the study as it is
-  std::string margins;  ///< how far each number may be off
+  std::string margins;  ///< how much each value may vary
 };
 DesignVerdict design_verdict(const DesignResult& result);
 

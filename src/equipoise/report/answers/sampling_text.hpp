@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// Sentences for the terminal, one per line; empty for random starts that nobody chose.
+/// Sentences for the terminal, one per line; empty if starts are random by default.
 std::string sampling_text(const BasinResult& result);
 /// Equivalent number of random starts, for "as good as", with two digits: "850 000".
 std::string as_good_as(const Share& share);

@@ -38,7 +38,7 @@ double turns_a_second(const BasinResult& r, const TransientGroup& group) {
 struct Judged {
   const TransientGroup& all;
   const TransientGroup* beside;
-  bool one;  // run tells all
+  bool one;  // run is enough
 };
 
 std::optional<Judged> judged(const BasinResult& r) {

@@ -15,7 +15,7 @@ namespace equipoise {
 
 namespace {
 
-// Whether more starts would tell the same: too few keep the limits, or too many end shaking.
+// Whether more starts would give the same answer: too few meet the limits, or too many end vibrating.
 bool surely_fails(const TriedChange& t) { return t.decision == Decision::change || t.decision == Decision::do_not_fit; }
 
 class Trials {

@@ -43,7 +43,7 @@ struct TimesBare {
   QuantileEstimate peak;
 };
 
-// What never vibrates is no louder than what does not either.
+// If neither vibrates, the ratio is 0.
 double over(double with, double bare) { return with == 0.0 ? 0.0 : with / bare; }
 
 QuantileEstimate over(const QuantileEstimate& with, double bare) {

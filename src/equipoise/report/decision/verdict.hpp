@@ -13,20 +13,20 @@
 namespace equipoise {
 
 enum class Decision {
-  fit,         ///< it does what is asked
+  fit,         ///< it meets the requirements
   not_needed,  ///< so does the rotor without balls
-  caution,     ///< it does in the end, but shakes more on the way than the rotor without balls
-  change,      ///< too seldom, but it is of use
+  caution,     ///< it does once settled, but vibrates more on the way than the rotor without balls
+  change,      ///< it does too rarely, but is of use
   do_not_fit,  ///< the rotor is better off without it
   open,        ///< too few starts, or too many undecided, to say
 };
 inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
                                                            "change", "do_not_fit", "open"};
 
-/// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
-/// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
-/// the end is at most half of that without balls. Starts are compared with their own rotors. Peaks count as larger from
-/// a tenth on. Below the critical speed, neither limits nor starts matter.
+/// Judged by the limits of the study: the balancer fits if the share of starts that meet all of them, on the way and at
+/// the end, certainly reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at the end is at
+/// most half of that without balls. Each start is compared with its own rotor. Peaks count as larger from a tenth on.
+/// Below the critical speed, neither limits nor starts matter.
 struct BalancerVerdict {
   Decision decision = Decision::open;
   std::string words;       ///< "Fit it.", with a reason
@@ -34,7 +34,7 @@ struct BalancerVerdict {
   std::string change;      ///< the most useful change; a hint where none was tried
   bool leave_out = false;  ///< the machine needs none, or none can help
 
-  /// Whether a change of the balancer is worth trying: not for one that does what is asked or is not judged yet.
+  /// Whether a change of the balancer is worth trying: not for one that meets the requirements or is not judged yet.
   bool asks_for_changes() const {
     return !leave_out &&
            (decision == Decision::caution || decision == Decision::change || decision == Decision::do_not_fit);
@@ -47,20 +47,20 @@ struct TriedChange {
   Study study;                              ///< with it
   std::uint64_t starts = 0;                 ///< tried
   Decision decision = Decision::open;       ///< on it
-  std::optional<Share> kept;                ///< of starts that keep every limit; empty without limits
+  std::optional<Share> kept;                ///< of starts that meet every limit; empty without limits
   QuantileEstimate end_velocity;            ///< RMS, 90 % of starts below; R omega_c
   QuantileEstimate peak;                    ///< displacement, 90 % of starts below; R
   double seconds = 0.0, cpu_seconds = 0.0;  ///< search included
 };
-/// What is told of a result with the change, if it can be judged.
+/// What a result with the change shows, if it can be judged.
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& with_it);
-/// Whether `a` serves better: by decision, then by the share that keeps the limits, else by velocity at the end.
+/// Whether `a` serves better: by decision, then by the share that meets the limits, otherwise by velocity at the end.
 bool serves_better(const TriedChange& a, const TriedChange& b);
-/// Whether more starts might show that `a` does: their intervals overlap, or its decision stands higher.
+/// Whether more starts might show that `a` does: their intervals overlap, or its decision is better.
 bool may_serve_better(const TriedChange& a, const TriedChange& b);
 
-/// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
-/// the verdict's last line tells the best of them.
+/// Empty if there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`: the
+/// verdict's last line names the best of them.
 std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 /// Says why, and that no start has to be followed to know it.

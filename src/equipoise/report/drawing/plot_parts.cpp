@@ -18,7 +18,7 @@ namespace equipoise {
 
 namespace {
 
-// Colours that people with any kind of colour vision can tell apart (M. Okabe, K. Ito, Color Universal Design, 2008),
+// Colours that people with any kind of colour vision can distinguish (M. Okabe, K. Ito, Color Universal Design, 2008),
 // by identifier. The later ones (P. Tol, muted scheme) are for attractors without a fixed identifier.
 constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
                              "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double legend_left = 14.0, legend_name = 16.0, legend_line = 13.0;
 
-// Names in lines that fit into so many columns.
+// Names in lines that fit into `columns`.
 std::vector<std::vector<std::string>> names_in(std::size_t columns, const std::vector<LegendEntry>& entries,
                                                double column) {
   std::vector<std::vector<std::string>> names;

@@ -161,7 +161,7 @@ RuleOfThumb drag(const Explanation& e) {
   const double by_rule[]{from, to};
   bool unstable = false;
   if (own > 0.0) {
-    // Drags a thousand times less and more than either: nobody has a choice of more.
+    // Drags a thousand times less and more than either: no one has a wider choice.
     const double low = std::min(best, own) / (1e3 * own), high = std::max(best, own) * 1e3 / own;
     const DragScan scan = near->scan();
     if (const auto range = scan.range(rules::settling_share, low, high)) {

@@ -166,7 +166,7 @@ Explanation explain(const Study& study, const StopFlag* stop) {
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   e.carrying = carrying(study);
   if (p.balls > 0) linearise(e, stop);
-  // An undamped rotor at its critical speed shakes more and more.
+  // An undamped rotor at its critical speed vibrates more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
   if (e.speed && study.scales && sheet.oil_viscosity && sheet.oil_density && !diameters.empty()) {
     const double slip =

@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// The machines that there is a study of: "washing-machine", ..., "blank".
+/// The machines that have a study: "washing-machine", ..., "blank".
 std::vector<std::string> new_machines();
 
 /// The text of such a study. Throws InputError, naming `argument`, for another machine.

@@ -13,11 +13,11 @@ using model::critical_speeds;
 using model::quiet_speed;
 using model::shaking_torque;
 
-/// Where a rotor whose balls are held shakes most in a direction; none if damping leaves it no such speed.
+/// The speed at which a rotor with clamped balls vibrates most in a direction; none if damping leaves no such speed.
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction);
 
 /// The drag below which all balls together may stay at the lowest critical speed while the rotor turns at a higher
-/// `speed`: shaking there takes what drag gives. Mean of the balls by mass.
+/// `speed`: vibration there takes what drag gives. Mean over the balls, weighted by mass.
 double drag_against_capture(const model::Parameters& p, double speed);
 
 /// Near balance above the critical speed, balls behave as pendulums: stiffness of the slower of their two modes, over

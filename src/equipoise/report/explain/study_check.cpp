@@ -40,7 +40,7 @@ std::string quantity(const Study& s, double value, Dimension dimension) {
   return number + " " + unit;
 }
 
-// Two values, told once if they are alike.
+// Two values, given once if they are equal.
 template <class Text>
 std::string of_both(const std::array<double, 2>& values, Text&& text) {
   return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));

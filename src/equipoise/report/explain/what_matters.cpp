@@ -66,8 +66,8 @@ constexpr std::array<Estimate, 5> estimates{{
 // What a change is judged by, each a number that is better if larger.
 struct Measures {
   bool can_balance = false, stable = false;
-  bool unstable = false;          // known to be; of some studies neither is known
-  std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
+  bool unstable = false;          // known to be; for some studies neither is known
+  std::optional<double> margin;   // what the balls can cancel over the unbalance; none if more of it does not help
   std::optional<double> settles;  // rate of the approach to balance
   bool hangs = false;             // drag may leave balls below the shaft
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed

@@ -107,7 +107,7 @@ class Form {
       : name_(name), given_(study::parse_study_file(text, name, overrides).root) {
     const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
     all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
-    // A study's tree omits ball angles that nobody chose; a form offers them.
+    // A study's tree omits ball angles that were not chosen; a form offers them.
     // The unbalance in it is the resultant with every place, not what the rotor's own keys state.
     if (given_.find("place"))
       for (const char* key : {"eccentricity", "unbalance"}) all_.find("rotor")->erase(key);

@@ -30,7 +30,7 @@ const char* name_of(FormField::Kind kind);
 std::vector<FormField> form_of(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
 
-/// A key that a study of this kind, with this profile, may state besides; some only in place of another.
+/// A key that a study of this kind, with this profile, may also state; some only in place of another.
 struct OfferedKey {
   std::string key, label;
   std::string sentence;  ///< what it is, as the guide has it

@@ -103,7 +103,7 @@ std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
   std::vector<Plot> plots;
   const DesignCandidate* best = chosen_of(r);
   if (!best) return plots;
-  // A variable that is itself the objective tells nothing about others; the requirements do.
+  // A variable that is itself the objective shows nothing about others; the requirements do.
   const auto is_variable = [&](const DesignFigure& f) {
     return std::any_of(r.variables.begin(), r.variables.end(),
                        [&](const DesignVariable& v) { return f.name == v.key || f.name == "-" + v.key; });

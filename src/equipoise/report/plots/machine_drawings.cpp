@@ -52,7 +52,7 @@ std::string run_name(const MachinePage& page, const ShownRun& run) {
   return all ? "with balls" : "typical start, half peak lower";
 }
 
-// Whether all runs turn alike, to what can be seen of it: a motor may feel what shakes.
+// Whether all runs turn alike, as far as can be seen: a motor may feel vibration.
 bool turn_alike(const std::vector<ShownRun>& runs) {
   constexpr double seen = 0.01;
   const std::vector<double>& first = runs.front().speed;

@@ -43,7 +43,7 @@ const OutcomeShare& share_of(const AttractorsResult& r, int id) {
                        [&](const OutcomeShare& s) { return s.id == id; });
 }
 
-// How rare an attractor may be and still be missed: only decided starts tell.
+// The share below which an attractor may be missed: only decided starts count.
 std::string search_text(const AttractorsResult& r) {
   const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
   std::string text = fmt::format("{} starts searched, {} decided", starts, decided);

@@ -162,7 +162,7 @@ class BasinDocument {
       for (Block& block : *of) document_.add(std::move(block));
   }
 
-  // Where starts end, and how large peaks are on the way there.
+  // Where starts end, and how large peaks are before that.
   void ends() {
     document_.add(Heading{2, "Where starts end", ""});
     if (page_) document_.add(ends_drawing(*page_));
@@ -171,7 +171,7 @@ class BasinDocument {
     document_.add_lines(left_unbalance_text(r_.attractors, study_));
   }
 
-  // Transients on the way there.
+  // Transients before that.
   void way() {
     if (!all_) return;
     document_.add(Heading{2, "On the way", ""});

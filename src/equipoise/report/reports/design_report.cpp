@@ -129,7 +129,7 @@ DocumentTable figure_table(const DesignResult& r) {
   return table;
 }
 
-// How far each number of the chosen design may be off.
+// How much each value of the chosen design may vary.
 DocumentTable margin_table(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   DocumentTable table{{"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}};

@@ -79,7 +79,7 @@ std::string starts_text(const BasinSlice& map) {
   return together.empty() ? text : text + "\nNote: " + together + ".";
 }
 
-// Pixels of which shares are told.
+// Pixels that count in shares.
 std::uint64_t counted_pixels(const BasinSlice& map) { return map.pixels - map.pixels_left_out; }
 
 // Pixels that a stopped run did not reach.

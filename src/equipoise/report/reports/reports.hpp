@@ -20,8 +20,8 @@
 
 namespace equipoise {
 
-/// Verdict, shares in percent, the rotor without balls next to that with them. `tried`: changes for the verdict to tell
-/// of.
+/// Verdict, shares in percent, the rotor without balls next to that with them. `tried`: changes for the verdict to
+/// report.
 std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style,
                        std::span<const TriedChange> tried = {});
 /// The page for one machine: the same with drawings, the changes that were tried, the machine and the study in full.

@@ -33,7 +33,7 @@ struct SweepColumn {
   int id = 0;
   std::string title;
   double sum = 0.0, largest = 0.0;  // of its shares: sum over all cells, and largest in any cell
-  std::size_t cells = 0;            // in which starts came to it
+  std::size_t cells = 0;            // in which starts ended in it
 };
 
 // "V2"; the second motion of that alias with its number: "V2 (2)".

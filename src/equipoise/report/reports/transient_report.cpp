@@ -161,7 +161,7 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   return json;
 }
 
-// Of a tilting rotor: where along its shaft figures are told, and in which planes its unbalance.
+// For a tilting rotor: where along its shaft figures are taken, and in which planes its unbalance.
 std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =

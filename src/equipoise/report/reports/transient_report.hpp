@@ -28,16 +28,16 @@ std::string figure_name(float TransientRow::*figure);
 /// Whether the rotor without balls meets the limits, and if not, when; empty if none is stated.
 std::string bare_limit_words(const OneBodyRuns& bare, const Study& study);
 
-/// Whether the result tells of the rotor without balls next to that with them.
+/// Whether the result has the rotor without balls next to that with them.
 bool tells_without_balls(const BasinResult& result);
-/// A row a figure: without balls and with balls held if tells_without_balls(), with balls, and limits. For a result
+/// A row per figure: without balls and with balls held if tells_without_balls(), with balls, and limits. For a result
 /// with transients.
 DocumentTable way_table(const BasinResult& result);
-/// The same of a rotor that has no balls at all.
+/// The same for a rotor that has no balls at all.
 DocumentTable bare_table(const BasinResult& result);
-/// Then: how many runs tell of it.
+/// If so, how many runs it is from.
 std::string bare_words(const BasinResult& result);
-/// That these runs stalled, came to no steady motion or were lost, each if some did. `how`: "Without balls".
+/// That these runs stalled, reached no steady motion or were lost, each if some did. `how`: "Without balls".
 std::vector<std::string> not_steady_words(const OneBodyRuns& body, const char* how, const Study& study);
 /// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
@@ -46,7 +46,7 @@ Json without_balls_json(const WithoutBalls& without, const Study& study);
 
 /// Starts within all limits, and how many hit the housing; none if no limit is stated.
 std::vector<Block> limits_blocks(const TransientGroup& group, const Study& study);
-/// Of a study with limits.clearance: how many starts hit the housing. Else empty.
+/// For a study with limits.clearance: how many starts hit the housing. Otherwise empty.
 std::string clearance_words(const TransientGroup& group, const Study& study);
 
 /// The object "transients" of json_text(), in the same units, which it names.

@@ -119,7 +119,7 @@ class PageMaker {
     static_cast<GivenMachine&>(page_) = std::move(given);
     BasinOptions run = options;
     run.keep_starts = true;
-    const bool grid = study.sampling.method == SamplingMethod::grid;  // a grid's first starts are no fair sample
+    const bool grid = study.sampling.method == SamplingMethod::grid;  // a grid's first starts are not a fair sample
     if (!grid) run.keep_at_most = most_starts_drawn;
     run.transients = true;
     page_.basin = basin(study, run, &catalogue_);
@@ -142,7 +142,7 @@ class PageMaker {
   }
 
  private:
-  // Whether there are no balls, and one run tells all.
+  // Whether there are no balls, and one run is enough.
   bool alone() const {
     return page_.basin.study.parameters.balls == 0 && page_.basin.without_balls && page_.basin.without_balls->bare.one;
   }

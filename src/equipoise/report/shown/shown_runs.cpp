@@ -116,7 +116,7 @@ std::vector<std::uint64_t> median_and_worst(const StartArrays& starts) {
   if (order.empty()) return {};
   std::sort(order.begin(), order.end(),
             [&](std::uint64_t a, std::uint64_t b) { return peak[a] != peak[b] ? peak[a] < peak[b] : a < b; });
-  // As a summary tells quantiles (core/statistics/quantile.hpp).
+  // As a summary gives quantiles (core/statistics/quantile.hpp).
   const auto at = [&](double share) {
     const double wanted = share * all * (1.0 - 1e-12);
     double below = 0.0;

@@ -1,5 +1,5 @@
-// JSON of results: objects whose members stand in the order in which they are named. nlohmann/json writes null for
-// numbers that are not finite.
+// JSON of results: objects whose members keep the order in which they are named. nlohmann/json writes null for numbers
+// that are not finite.
 #pragma once
 
 #include <complex>
@@ -56,8 +56,8 @@ void put_known(Json& json, const char* name, const std::optional<T>& value, cons
   if constexpr (sizeof...(more) > 0) put_known(json, more...);
 }
 
-/// Rows of numbers as text: a JSON tree of so many would take ten times the memory. `value(k)`: of the k-th entry, row
-/// by row; empty: null.
+/// Rows of numbers as text: a JSON tree of them would take ten times the memory. `value(k)`: of the k-th entry, row by
+/// row; empty: null.
 template <class Value>
 void append_rows(std::string& text, int columns, int rows, const Value& value) {
   for (int k = 0; k < columns * rows; ++k) {
@@ -103,7 +103,7 @@ inline Json sure(const Share& s) {
   put(json, "least", s.least, "most", s.most);
   return json;
 }
-/// What all results tell of an outcome.
+/// What all results report on an outcome.
 inline Json outcome_with(const OutcomeShare& o, const Json& share) {
   Json json = object("id", o.id, "name", o.name, "alias", o.alias, "kind", o.kind);
   json.update(share);

@@ -1,4 +1,4 @@
-// What a motion is, how fast trajectories come to it, how large its vibration is.
+// What a motion is, how fast trajectories approach it, how large its vibration is.
 #include "equipoise/report/text/motion_words.hpp"
 
 #include <algorithm>

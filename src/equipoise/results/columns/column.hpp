@@ -19,7 +19,7 @@ struct Column {
   const char* remark = "";                                   ///< behind the unit: "missing: not settled"
 
   const char* unit() const { return dimension ? study::words(*dimension).dimensionless : "1"; }
-  /// As CF has it, which knows nothing of R and omega_c: long_name() tells of those.
+  /// As in CF, which knows nothing of R and omega_c: long_name() names those.
   const char* cf_units() const { return dimension == study::Dimension::angle ? "radian" : "1"; }
   /// "study time at which the outcome was known, in 1/omega_c".
   std::string long_name() const {

@@ -57,8 +57,8 @@ struct DataColumn {
 /// What a store of rows (results/io/row_store.hpp) keeps of every row.
 struct StoredColumn : Column {
   DataColumn::Type type = DataColumn::Type::real;
-  std::size_t width = 1;  ///< values a row
-  std::string along{};    ///< the dimension along which they stand in files; empty for a single one
+  std::size_t width = 1;  ///< values per row
+  std::string along{};    ///< the dimension along which they are stored in files; empty for a single one
 };
 
 /// Calls visit(a value of the type that stands for it in memory and in files).

@@ -1,4 +1,4 @@
-// The figures of transients: what they are, and one line each by which all that tells of them goes.
+// The figures of transients: what they are, and one line each, from which every report of them is made.
 #pragma once
 
 #include <array>
@@ -14,23 +14,23 @@ namespace equipoise {
 /// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
 /// in R, forces in M R omega_c^2, velocities in R omega_c, energy in M R^2 omega_c^2, times in 1/omega_c. Displacements
 /// are from where the rotor rests under its weight; bearing forces hold the weight. "At the end": of the steady motion
-/// that the start came to; of an undecided start, and where that motion's own figures are not known, in the last
-/// window. What each is, its line in transient_figures says.
+/// that the start ended in; for an undecided start, and if that motion's own figures are not known, in the last window.
+/// transient_figures explains each.
 struct TransientRow {
   float peak_radial = 0.0f, peak_radial_after_release = 0.0f, peak_radial_at_end = 0.0f;
   float peak_force = 0.0f;  ///< of springs and dampers on the support
   float rms_force = 0.0f, rms_velocity = 0.0f;
   float peak_dynamic_force = 0.0f, rms_dynamic_force = 0.0f;  ///< without the force at rest under the weight
   float rms_velocity_one_direction = 0.0f;                    ///< in X or Y, whichever has more
-  /// |lambda + sum mu_i e^{i phi_i}|. For a tilting rotor that of the worse of its outermost bearings' planes, over
-  /// its share of what the rotor may have.
+  /// |lambda + sum mu_i e^{i phi_i}|. For a tilting rotor, in the worse of its outermost bearings' planes, over its
+  /// share of what the rotor may have.
   float residual_unbalance = 0.0f;
   /// 0 without a limit; infinite: the motion at the end exceeds it, or r still did when the start was last followed.
   float time_above = 0.0f;
   float settling_time = 0.0f;  ///< infinite in the same cases
   /// When and at what |psi'| the largest r was reached; not-a-number if the motion at the end has it.
   float peak_time = 0.0f, peak_speed = 0.0f;
-  float energy = 0.0f;  ///< not-a-number if work is not asked
+  float energy = 0.0f;  ///< not-a-number if work is not required
   float followed_until = 0.0f;
 };
 
@@ -43,13 +43,13 @@ struct TransientFigure : Column {
   float TransientRow::*value;
   const char* title;          ///< in tables and pictures
   bool on_page = false;       ///< has a line of its own on a page
-  bool of_bare_rotor = true;  ///< also told of the rotor without balls
-  /// Whether text shows it for this study; null: always. Elsewhere another figure says the same.
+  bool of_bare_rotor = true;  ///< also reported for the rotor without balls
+  /// Whether text shows it for this study; null: always. Otherwise another figure says the same.
   bool (*differs)(const Study&) = nullptr;
   /// The limit that it needs; null: none. The drive's work needs a WorkSource.
   std::optional<double> Limits::*needs = nullptr;
-  /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
-  /// that had not come below it when it was last followed.
+  /// For a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
+  /// that had not fallen below it when it was last followed.
   std::array<const char*, 2> open{"?", "?"};
 
   /// An unbalance is shown over the rotor's mass, as a length.
@@ -57,9 +57,9 @@ struct TransientFigure : Column {
     return dimension == study::Dimension::unbalance ? study::Dimension::length : *dimension;
   }
 };
-/// Where along its shaft a tilting rotor is watched. Forces are told of each bearing if each is known and there are no
-/// other supports (Study::each_bearing()). They are those of all supports together if a machine stands on feet, which
-/// slide by that sum, and if starts draw what could make the supports others than these bearings.
+/// Where along its shaft a tilting rotor is watched. Forces are reported for each bearing if each is known and there
+/// are no other supports (Study::each_bearing()). They are those of all supports together if a machine stands on feet,
+/// which slide by that sum, and if starts draw values that could make the supports other than these bearings.
 WatchedShaft watched_shaft(const Study& study);
 
 /// Whether bearing forces differ by the weight, and velocities in X from those in Y.
@@ -215,15 +215,15 @@ inline constexpr auto transient_limits = std::to_array<TransientLimit>({
      " of weighted hand-arm vibration is exceeded in the end", true, &weighted_for_hands},
 });
 
-/// Which of the stated limits a start keeps: those of the motion at the end, limits.settled too; those on the way,
-/// which peaks keep or not; or all of both. A limit on force is kept in the end if the root mean square keeps it.
+/// Which of the stated limits a start meets: those of the motion at the end, including limits.settled; those on the
+/// way, which peaks meet or not; or both. A limit on force is met at the end if the root mean square meets it.
 enum class Within { at_end, on_the_way, both };
 inline constexpr std::array<const char*, 3> within_names{"at_end", "on_the_way", "both"};
 inline constexpr std::array<const char*, 3> within_titles{"within all limits at the end",
                                                           "never over a limit on the way", "both"};
 
-/// Which of the stated limits one start keeps. Of limits that are not stated, all are kept. Whatever is not known, such
-/// as the speed of a start that was not watched for long enough, keeps none.
+/// Which of the stated limits one start meets. It meets all limits that are not stated. Whatever is not known, such as
+/// the speed of a start that was not watched for long enough, meets none.
 struct LimitsOfStart {
   std::array<bool, transient_limits.size()> exceeded{}, exceeded_at_end{};
   bool at_end = true, on_the_way = true;  ///< Within

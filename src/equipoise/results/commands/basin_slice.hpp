@@ -74,7 +74,7 @@ struct SliceFigures {
 struct BasinSlice : RunInfo {
   Study study;     ///< as given; its values of the two keys play no part
   SliceAxis x, y;  ///< of the pixels that are here
-  int every = 1;   ///< of a large slice in a file, only every so many-th row and column is here
+  int every = 1;   ///< of a large slice in a file, only every n-th row and column is here
   std::vector<AngleLink> links;
   std::vector<short> code;
   std::vector<float> time;   ///< study time at which the outcome was known

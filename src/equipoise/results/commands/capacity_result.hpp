@@ -18,7 +18,7 @@ namespace equipoise {
 /// One ensemble of the search.
 struct CapacityTrial {
   double value = 0.0;
-  Share balanced, undecided;  ///< balanced: that do what is asked; of no starts if `unstable`
+  Share balanced, undecided;  ///< balanced: that meet the requirement; of no starts if `unstable`
   bool unstable = false;      ///< no balanced state attracts there: no start was followed
   /// States on the motions found, from which the search at a neighbouring value begins.
   std::vector<std::vector<double>> states;
@@ -33,8 +33,8 @@ struct CapacityCell {
   /// Where the share falls short: half-way between the last value that does not and the first that does. Empty if it
   /// does so at the least value already, or nowhere.
   std::optional<double> value;
-  /// With 95 % confidence at each end: the last value at which the share is surely as large, whatever undecided starts
-  /// would come to, and the first at which it is surely smaller. The ends of the range if there are none.
+  /// With 95 % confidence at each end: the last value at which the share is certainly as large, however undecided
+  /// starts would end, and the first at which it is certainly smaller. The ends of the range if there are none.
   double low = 0.0, high = 0.0;
   bool always = false;  ///< as large up to the end of the range: the capacity lies beyond
   bool never = false;   ///< smaller from the start of the range
@@ -67,8 +67,8 @@ struct CapacityRange {
 /// What is sought in every cell, within a range.
 struct CapacityQuestion : CapacityRange {
   std::string key;              ///< as in --set
-  double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
-  std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name
+  double at_least = 0.95;       ///< share of starts that meet the requirement, in (0, 1)
+  std::string by = "balanced";  ///< what a start must do: balance, meet all "limits", or meet one, by its name
   double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
 };
 

@@ -56,7 +56,7 @@ struct ComparisonResult {
   /// For its difference: bounds at 95 % whatever undecided starts would come to.
   double surely_low = -1.0, surely_high = 1.0;
   std::optional<ComparedLimits> limits;  ///< if both studies state limits and have transients
-  std::vector<ComparedFigure> figures;   ///< if both have transients, in units that both are told in
+  std::vector<ComparedFigure> figures;   ///< if both have transients, in units that both are shown in
   bool partial = false;
 };
 

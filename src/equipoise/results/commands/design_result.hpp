@@ -57,7 +57,7 @@ struct DesignLimit {
 /// Figures of a candidate from one ensemble.
 struct DesignSample {
   std::uint64_t starts = 0;
-  std::vector<DesignEstimate> figures;  ///< by DesignResult::figures; empty if the candidate is no valid study
+  std::vector<DesignEstimate> figures;  ///< by DesignResult::figures; empty if the candidate is not a valid study
   DesignEstimate undecided;
   std::string note;  ///< why no start can end balanced, or why the study is invalid
 };
@@ -66,7 +66,7 @@ struct DesignCandidate {
   std::vector<DesignSetting> settings;   ///< one for each variable
   DesignSample search;                   ///< on the starts that the search saw
   std::optional<DesignSample> held_out;  ///< on starts that it did not see
-  bool as_it_is = false;                 ///< the study itself: where it states no such value, words stand in its place
+  bool as_it_is = false;                 ///< the study itself: if it states no such value, words replace it
 
   const DesignSample& best_known() const { return held_out ? *held_out : search; }
   /// What is set in the study.
@@ -85,9 +85,9 @@ struct DesignMargin {
   double value = 0.0, low = 0.0, high = 0.0;  ///< the chosen value; the range examined
   std::vector<DesignPoint> points;            ///< by value, without the chosen one
   DesignSample here;                          ///< the chosen one, with as many starts as these
-  /// How far the number may go while all requirements are met, at the values tried: the last value on either side that
+  /// How far the value may go while all requirements are met, at the values tried: the last value on either side that
   /// meets them, and what fails beyond; empty: nothing within the range. Without requirements: until the first
-  /// objective is surely worse.
+  /// objective is certainly worse.
   double keeps_from = 0.0, keeps_to = 0.0;
   std::string fails_below, fails_above;
   double effect = 0.0;  ///< largest change of the first objective within a tenth of the range on either side

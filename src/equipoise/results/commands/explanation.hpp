@@ -117,7 +117,7 @@ struct Explanation {
   /// What the balls have to cancel: lambda, or its equivalent for an off-centre race at the final speed.
   double unbalance = 0.0;
   double least_unbalance = 0.0, largest_unbalance = 0.0;  ///< range that they can cancel side by side
-  /// Without gravity and with averaged supports. None, too, if the balls have no room to be balanced.
+  /// Without gravity and with averaged supports. Also none if the balls have no room to be balanced.
   model::BalancedStates balanced;
   double sag = 0.0;                     ///< of the rotor's centre under the weight of rotor and balls
   std::optional<double> gravity_ratio;  ///< weight of a ball over its centrifugal force; empty without gravity or speed

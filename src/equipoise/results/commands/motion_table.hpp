@@ -1,4 +1,5 @@
-// The numbers that are told of a motion: one line each, over which files and tables of branches and sweeps go.
+// The numbers that are reported for a motion: one line each, from which files and tables of branches and sweeps are
+// made.
 #pragma once
 
 #include <array>

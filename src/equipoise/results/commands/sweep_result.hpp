@@ -44,7 +44,7 @@ struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all
   std::vector<double> state{};  ///< a state on it; empty: unknown
 };
 
-/// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
+/// A number that files and tables give for an outcome's motion in a cell; none if it has none.
 struct MotionColumn : Column {
   std::optional<double> (*value)(const SweepOutcome&);
 };

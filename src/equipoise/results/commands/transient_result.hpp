@@ -75,7 +75,7 @@ struct TransientResult {
 
 /// One body's runs over the same drive, by the figures of the ensemble's transients.
 struct OneBodyRuns {
-  TransientGroup figures;     ///< of all runs that were not lost; what the drive's work would be is not told
+  TransientGroup figures;     ///< of all runs that were not lost; without the drive's work
   bool one = false;           ///< every start has the same: a single run, whose intervals say nothing
   std::uint64_t runs = 0;     ///< followed
   std::uint64_t stalled = 0;  ///< of driven rotors: that their motor does not bring up to speed

@@ -42,10 +42,10 @@ class DiskFile {
   /// Adds `size` bytes to a checksum; false as above.
   bool add_to(Checksum& sum, std::uint64_t offset, std::uint64_t size) const;
   int write_at(std::uint64_t offset, const void* data, std::size_t size) const;
-  /// Where reading and writing go on: for pipes and terminals too. Nobody may read a pipe, so a signal ends it.
+  /// Writes at the current position, also to pipes and terminals. A pipe may have no reader, so a signal ends it.
   int write(const std::string& text) const;
   int cut(std::uint64_t size) const;
-  /// Until it returns, a power failure may lose what was written. `all`: also times, permissions and the like.
+  /// Until it returns, a power failure may lose what was written. `all`: also times, permissions and other metadata.
   int to_disk(bool all) const;
   int set_permissions(unsigned bits) const;
 

@@ -252,7 +252,7 @@ void Journal::keep_only(Kind kind) {
   try {
     for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
     sync();
-  } catch (const RunError&) {  // a full disk: nobody had requested what is lost
+  } catch (const RunError&) {  // a full disk: no one had requested what is lost
     remove();
   }
 }

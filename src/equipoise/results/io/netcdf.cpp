@@ -56,8 +56,8 @@ NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& na
   }
 }
 
-// nc_abort() frees the descriptor of a file that cannot be closed. For a file with unwritten definitions nc_close()
-// would free it too, but the library would still know its number.
+// nc_abort() frees the descriptor of a file that cannot be closed. For a file with unwritten definitions, nc_close()
+// would also free it, but the library would still know its number.
 NetcdfFile::~NetcdfFile() {
   if (id_ >= 0 && (defining_ || call(nc_close, id_) != NC_NOERR)) call(nc_abort, id_);
 }

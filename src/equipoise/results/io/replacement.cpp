@@ -1,5 +1,5 @@
-// Replaces files: written beside, brought to disk, renamed. The seal is a mark, the length and the checksum of
-// everything before it, which other readers ignore.
+// Replaces files: written next to the old one, flushed to disk, renamed. The seal is a mark, the length and the
+// checksum of everything before it, which other readers ignore.
 #include "equipoise/results/io/replacement.hpp"
 
 #include <cerrno>

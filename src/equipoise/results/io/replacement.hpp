@@ -19,7 +19,7 @@ std::string error_text(int error);
 int to_disk(const std::string& path);
 
 /// A new file next to `path` that atomically replaces it on disk once complete. Readers see the old or the new content,
-/// even after a crash or on a full disk. A path that is no regular file (a terminal, a pipe) is written directly.
+/// even after a crash or on a full disk. A path that is not a regular file (a terminal, a pipe) is written directly.
 class Replacement {
  public:
   /// Throws RunError if the file cannot be created.

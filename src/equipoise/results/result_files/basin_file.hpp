@@ -64,7 +64,7 @@ struct BasinEnd {
 /// Readable by xarray, ncdump, ncview.
 class BasinFile : public io::RowStore {
  public:
-  /// Opens what there is of the same study, seed, version and arithmetic, or begins again. Throws like Store.
+  /// Opens results of the same study, seed, version and arithmetic, or begins new ones. Throws like Store.
   BasinFile(const std::string& path, const BasinFileHeader& header);
 
   /// Starts already stored (0 .. stored() - 1).
@@ -80,7 +80,7 @@ class BasinFile : public io::RowStore {
   std::uint64_t unfinished() const { return stored_ - finished(); }
   /// The CPU targets that they were computed on.
   const std::vector<std::string>& cpu_targets() const { return cpu_targets_; }
-  /// Starts first .. first + count - 1, each with a fate (fate_of()).
+  /// Starts first .. first + count - 1, each with a Fate (fate_of()).
   StartArrays read(std::uint64_t first, std::size_t count) const;
   /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
   /// ones.

@@ -77,7 +77,7 @@ void read_results_file(Inspection& i) {
     if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
 }
 
-// A basin may be requested any number of starts, so its identity names none: 1 stands there, except on a grid.
+// A basin may have any number of starts, so its identity names none: it has 1 instead, except on a grid.
 std::string study_of(const io::IdentityLines& identity) {
   const std::string placeholder = "starts = 1\n";
   std::string study = identity.study;

@@ -22,7 +22,7 @@ struct IdentityLines {
   explicit IdentityLines(const std::string& identity);
   /// By dotted key; those of [file] by their bare key ("version"). Empty if there is none.
   std::string value(const std::string& key) const;
-  /// What a sweep varies: "speed.final=2.4, 2.6" and the like.
+  /// What a sweep varies, such as "speed.final=2.4, 2.6".
   std::vector<std::string> over() const;
 
   std::string study;                                       ///< what stands before [file], as TOML

@@ -1,6 +1,6 @@
-// What became of one start, on what grounds, and how that is told in numbers and words: one line for each outcome, by
-// which everything that tells of it goes.
-// This room: plain types that engine and results share: fates, motions, attractors, transients, warm starts.
+// What became of one start, on what grounds, and how that is reported in numbers and words: one line for each outcome,
+// from which every report of it is made.
+// This room: plain types that engine and results share: outcomes, motions, attractors, transients, warm starts.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace equipoise {
 /// Outcomes of a start.
 enum class Outcome : signed char {
   attracted = 0,  ///< ended in an attractor; Fate::attractor says which
-  undecided = 1,  ///< came to none by the horizon
+  undecided = 1,  ///< reached none by the horizon
   diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
   failed = 3,     ///< the integrator's step size vanished
   stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
 };
 
-/// On what grounds a fate was decided. The numbers are stored in result files.
+/// On what grounds an outcome was decided. The numbers are stored in result files.
 enum class DecidedBy : signed char {
   nothing = 0,
   proof = 1,      ///< inside a level set proved to lead to the attractor only
@@ -83,7 +83,7 @@ struct Fate {
 inline short code_of(const Fate& fate) {
   return fate.outcome == Outcome::attracted ? fate.attractor : told_of(fate.outcome).code;
 }
-/// A fate with this code; empty if no outcome has it.
+/// A Fate with this code; empty if no outcome has it.
 inline std::optional<Fate> fate_of(short code) {
   Fate fate;
   if (code > 0) {

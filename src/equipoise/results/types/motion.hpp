@@ -1,4 +1,4 @@
-// A steady motion: what kind it is, what the balls do on it, how badly it shakes, and what it is called.
+// A steady motion: what kind it is, what the balls do on it, how much it vibrates, and what it is called.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ struct Motion {
   int sections =
       0;  ///< periodic and with a stroboscopic section only: turns of the rotor, by section_angle(), in `period`
   /// With a stroboscopic section: gravity and anisotropy taken away gradually lead to a balanced state. Stuck or with
-  /// events: it shakes less than half as much as the rotor would without balls (halves_the_shaking()).
+  /// events: it vibrates less than half as much as the rotor would without balls (halves_the_shaking()).
   bool balanced = false;
   double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
 

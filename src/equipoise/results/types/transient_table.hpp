@@ -16,17 +16,17 @@ namespace equipoise {
 /// How the drive's work is computed: of a prescribed speed by an energy balance; of a motor from torque and speed.
 enum class WorkSource { none, balance, motor };
 
-/// Where a tilting rotor is watched. What is told is of the worse place.
+/// Where a tilting rotor is watched. Figures are those of the worse place.
 struct WatchedShaft {
   /// The outermost of its bearings along the shaft, 0 without bearings. For a straight shaft's places between two, none
   /// moves further or faster than both.
   std::array<double, 2> places{};
-  /// The bearings if they are all its supports and forces are told of each, those at `places` first, at most
+  /// The bearings if they are all its supports and forces are reported for each, those at `places` first, at most
   /// model::most_bearings; empty: of all supports together.
   std::vector<model::Bearing> bearings{};
 };
 
-/// What is asked of every trajectory. Dimensionless.
+/// What is watched on every trajectory. Dimensionless.
 struct TransientSettings {
   /// Radial displacement whose exceedance is timed; infinite: none.
   double displacement = std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ struct TransientSettings {
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
   WatchedShaft shaft{};                ///< of a tilting rotor
-  /// Supports differ or weight acts: velocities in X and Y and forces without the weight are gathered by themselves.
+  /// Supports differ or weight acts: velocities in X and Y and forces without the weight are gathered separately.
   bool by_direction = true;
 
   bool watches_settling() const { return settled > 0.0; }
@@ -90,7 +90,7 @@ using model::MotionFigures;
 /// What is known of where a decided trajectory goes.
 struct KnownEnd {
   std::optional<MotionFigures> figures;  ///< none: they have to be measured
-  double wait = 0.0;                     ///< without figures: time after which what is left of the way there is small
+  double wait = 0.0;                     ///< without figures: time after which the rest of the transient is small
 };
 
 /// Whether at most `allowed` is left of an approach: differences that shrink from d1 to d2, one after the other, leave

@@ -9,8 +9,8 @@ namespace equipoise {
 /// How much a search for attractors does.
 enum class SearchMode {
   full,
-  /// All that a neighbouring parameter has is known: a pilot of a quarter of the starts then looks for new motions. One
-  /// that it misses is listed once a start comes to it, as always.
+  /// All motions at a neighbouring parameter are known: a pilot of a quarter of the starts then looks for new ones. One
+  /// that it misses is listed once a start ends in it, as always.
   warm,
   /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
   /// balance gets trapping regions, and windows decide the rest. Of starts that end in another motion one is followed

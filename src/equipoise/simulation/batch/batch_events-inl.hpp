@@ -157,8 +157,8 @@ class BatchEvents<HybridFlow<Pack, room>> {
   }
 
   // Below 0 if a pair may meet in the step. The cubic through gaps and rates at both ends stays above the least of its
-  // four control points. The gap itself differs from it by less than a tenth of the way that the rates give, plus a
-  // thousandth of what a force of 1 gives.
+  // four control points. The gap itself differs from it by less than a tenth of the distance that the rates give, plus
+  // a thousandth of what a force of 1 gives.
   HWY_NOINLINE Pack may_meet(const Tried& s) const {
     const auto between = [&](const Pack* state, int from, int k) {
       const double* base = reinterpret_cast<const double*>(state + from);

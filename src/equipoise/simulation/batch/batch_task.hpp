@@ -36,8 +36,8 @@ struct RadiusWindows {
   std::size_t windows = 0;  ///< per trajectory; later ones are not recorded
   float* largest = nullptr;
   float* at_end = nullptr;
-  /// Of a tilting rotor: where its slopes stand in the state, and the places along its shaft of which the further
-  /// one counts.
+  /// For a tilting rotor: where its slopes are in the state, and the places along its shaft, of which the one further
+  /// out counts.
   int tilt = -1;
   std::array<double, 2> places{};
 };

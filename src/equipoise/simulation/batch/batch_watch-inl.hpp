@@ -1,5 +1,5 @@
-// A second observer of lanes, in addition to the one that decides fates. It is bound at run time and called once a
-// step, so that no kernel is compiled again for it. Included once per CPU target.
+// A second observer of lanes, in addition to the one that decides outcomes. It is bound at run time and called once per
+// step, so no kernel is compiled again for it. Included once per CPU target.
 #if defined(EQUIPOISE_BATCH_BATCH_WATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_BATCH_BATCH_WATCH_INL
 #undef EQUIPOISE_BATCH_BATCH_WATCH_INL

@@ -98,7 +98,7 @@ class BallEvents {
   }
 
   // The time of the first event in a step; empty if there is none. Times count from `origin`. `by_forces`: whether
-  // forces can cause events too, not only gaps and rates. `share`: see first_time().
+  // forces can also cause events, not only gaps and rates. `share`: see first_time().
   template <class StateAt>
   std::optional<double> first(double from, double to, StateAt&& state_at, bool by_forces = true, double origin = 0.0,
                               double share = 0.0) {
@@ -118,8 +118,8 @@ class BallEvents {
   // For first(): the share by which friction holds balls at rest beyond its limit.
   void hold_on(double share) { hold_on_ = share; }
 
-  // Carries out at `z` the event that first() found. `hold`: factor on friction's limit, other than 1 where friction
-  // would hold and let go for ever. False if nothing has changed: it was an event by rounding alone.
+  // Carries out at `z` the event that first() found. `hold`: factor on friction's limit, other than 1 if friction would
+  // hold and release for ever. False if nothing has changed: it was an event due to rounding alone.
   bool pass(double t, double* z, const Happened<room>& now, double hold = 1.0) {
     const model::BallMode before = mode_;
     std::array<bool, room> touching{};

@@ -1,4 +1,4 @@
-// A task with its rule and fates, and the compiled kernels, among which advance_batch() and classify_batch() choose
+// A task with its rule and outcomes, and the compiled kernels, among which advance_batch() and classify_batch() choose
 // (simulation/kernels/batch_kernels.hpp).
 #pragma once
 

@@ -88,7 +88,7 @@ bool run_kind(const BatchJob& job) {
   }
 }
 
-// Carries Fate::met over from one piece of the drive to the next: balls that touched once have touched.
+// Carries Fate::met over from one piece of the drive to the next: a contact, once made, counts.
 bool run_batch(const BatchJob& job) {
   if (!job.task.parameters->balls_collide() || job.task.held) return run_kind(job);
   std::vector<char> met(job.task.count);

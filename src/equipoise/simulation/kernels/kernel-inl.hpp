@@ -43,12 +43,12 @@ class WatchForLoss : public NoObserver {
   std::vector<Fate>& fates_;
 };
 
-// An observer of lanes that combines one that decides fates with an optional watch. A decided trajectory goes on until
-// the watch has seen its final motion.
+// An observer of lanes that combines one that decides outcomes with an optional watch. A decided trajectory goes on
+// until the watch has seen its final motion.
 //
 // `Fates` says by attractor_of(slot) what it has just decided; without that function it never decides. It sees nothing
-// of a lane after its decision, so a watch changes no fate. `watch` may be null, as for most tasks; HWY_UNLIKELY keeps
-// registers for those.
+// of a lane after its decision, so a watch changes no outcome. `watch` may be null, as for most tasks; HWY_UNLIKELY
+// keeps registers for those.
 template <class Fates, int groups>
 class FollowOn {
  public:

@@ -1,5 +1,5 @@
-// How a trajectory's fate is decided at the final speed: data made by the attractor search and shared by all lanes.
-// This room: the rule by which a batch decides a fate, in the form that lanes evaluate.
+// How a trajectory's outcome is decided at the final speed: data made by the attractor search and shared by all lanes.
+// This room: the rule by which a batch decides an outcome, in the form that lanes evaluate.
 #pragma once
 
 #include <array>

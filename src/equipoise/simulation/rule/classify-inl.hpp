@@ -1,5 +1,5 @@
-// The observer of a lane block that decides fates: by entry into a trapping region, or by windows of time that show a
-// known or a stationary motion. Included once per CPU target.
+// The observer of a lane block that decides outcomes: by entry into a trapping region, or by windows of time that show
+// a known or a stationary motion. Included once per CPU target.
 #if defined(EQUIPOISE_CLASSIFICATION_CLASSIFY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_CLASSIFICATION_CLASSIFY_INL
 #undef EQUIPOISE_CLASSIFICATION_CLASSIFY_INL

@@ -16,9 +16,9 @@ constexpr double box_floor = 0.02;
 constexpr int fewest_hits = 3;
 // Beyond this many half windows, long windows decide as soon.
 constexpr int most_hits = 80;
-// If a box would have decided this many trajectories, all rightly, its share of errors is below 3 % (95 % confidence).
-// Asking for twice the longest wrong run of as large a sample leaves far fewer. At most 2.4 % of a pilot's starts come
-// to a rarer motion, so following these for longer costs little.
+// If a box would have decided this many trajectories, all correctly, its share of errors is below 3 % (95 %
+// confidence). Requiring twice the longest wrong run of as large a sample leaves far fewer. At most 2.4 % of a pilot's
+// starts end in a rarer motion, so following these for longer costs little.
 constexpr int least_evidence = 100;
 
 bool admits_balance(const FeatureBox& box, int balls) {

@@ -13,7 +13,7 @@ namespace equipoise {
 constexpr Outcome last_of(Outcome) { return Outcome::stalled; }
 constexpr DecidedBy last_of(DecidedBy) { return DecidedBy::followed; }
 
-/// The members of a fate and of a record, for search logs and messages.
+/// The members of a Fate and of a record, for search logs and messages.
 template <class Bytes, Like<Fate> T>
 void members(Bytes& b, T& f) {
   b(f.outcome, f.by, f.attractor, f.time, f.mean_speed, f.unbalance, f.radius, f.met);
@@ -43,7 +43,7 @@ FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double 
 
 /// How many windows in a row inside box `b` decide: more than twice the longest run of any audited trajectory that went
 /// elsewhere, and at least three. `fates` and `records` come from the audit, run with the rule's boxes and `blind`. 0
-/// if that is too many to be of use, or if fewer than a hundred trajectories stayed that long and came to `attractor`,
+/// if that is too many to be of use, or if fewer than a hundred trajectories stayed that long and ended in `attractor`,
 /// which proves little.
 int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
                     int attractor, bool undecided_is_own);

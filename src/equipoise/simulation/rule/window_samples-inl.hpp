@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Of a tilting rotor the slopes count next to x and y: r is 0 only where it neither shakes nor tilts.
+// For a tilting rotor, the slopes count next to x and y: r is 0 only if it neither vibrates nor tilts.
 //
 // Windows are sampled at two stages inside each step and at its end (at 1/3, 0.6 and 1 of it, at most 0.4 apart). So
 // every motion is seen at least eight times a period at the steps that the tolerance allows;

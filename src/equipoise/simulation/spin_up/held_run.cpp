@@ -107,7 +107,7 @@ class HeldFollower {
   }
 
  private:
-  // Windows are opened by hand; the drive's work is not told, since it grows for as long as a motor is followed.
+  // Windows are opened by hand; the drive's work is left out, because it grows for as long as a motor is followed.
   static TransientSettings by_hand(TransientSettings settings) {
     settings.window = std::numeric_limits<double>::infinity();
     settings.work = WorkSource::none;
@@ -179,7 +179,7 @@ class HeldFollower {
     begin();
   }
 
-  // To `to` within the piece; balls that would be released on the way are told from then on.
+  // To `to` within the piece; balls that would be released on the way count as free from then on.
   void advance(double to) {
     if (!free_ && drive_.release_time > t_ && drive_.release_time < to) integrate(drive_.release_time);
     while (going() && t_ < to) {
@@ -281,8 +281,8 @@ class HeldFollower {
     return rate > rounding ? rate : 0.0;
   }
 
-  // Until what is left of the way to steady speed and displacement, as the differences of windows tell it, is small.
-  // Windows grow, so that a slow change shows in them.
+  // Until speed and displacement are nearly steady by the differences of windows. Windows grow, so that a slow change
+  // shows in them.
   void come_to_rest(double horizon) {
     constexpr double alike = 3e-4, growth = 1.3, turns = 16.0;
     // What coasts, or is not damped, is not waited for; nor, for ever, a motor.
@@ -300,7 +300,7 @@ class HeldFollower {
       const double peak = std::sqrt(watch_.sums().window.peak);
       speeds.add(run_.speed);
       peaks.add(peak);
-      // A rotor that lingers at its resonance has to rest there more surely.
+      // A rotor that lingers at its resonance has to meet a tighter bound.
       const bool slow = study_.speed.driven() && std::fabs(run_.speed) < study_.stall_speed();
       run_.steady = speeds.left() <= (slow ? 0.1 : 1.0) * alike * std::max(std::fabs(run_.speed), 0.01) &&
                     peaks.left() <= 10.0 * alike * (peak + 1e-6 * size_);

@@ -49,7 +49,7 @@ inline std::vector<InitialState> parted(const model::Parameters& p, std::span<co
   return starts;
 }
 
-/// Whether exchanging balls changes no start's probability and no fate: alike balls with equal rates.
+/// Whether exchanging balls changes no start's probability and no outcome: alike balls with equal rates.
 inline bool balls_exchange(const Study& study) {
   const auto& rates = study.initial.phi_dot;
   bool alike = study.parameters.equal_balls();

@@ -24,8 +24,8 @@ struct SpunUp {
   std::vector<double> begins;    ///< when balls are free and the last piece has begun; empty: all at SpinUp::settled()
   std::vector<double> released;  ///< when balls were released, if starts differ in it; else empty
   std::vector<Fate> fates;       ///< of starts that are over
-  std::vector<char> over;        ///< whether the fate is known: never released; empty: only lost starts are over
-  std::vector<double> nearest;   ///< of starts never released: the speed that they reached nearest to the release speed
+  std::vector<char> over;        ///< whether the outcome is known: never released; empty: only lost starts are over
+  std::vector<double> nearest;   ///< of starts never released: of all speeds reached, the nearest to the release speed
   std::vector<OwnRotor> rotors;  ///< each start's own, over the last piece of its drive; empty: all share one
 
   bool is_over(std::size_t i) const {

@@ -123,7 +123,7 @@ class TiltingWatch {
 
 }  // namespace
 
-// Clamped balls load a tilting rotor by a couple too, so that each start is followed by itself.
+// Clamped balls also load a tilting rotor by a couple, so each start is followed separately.
 void StartSource::place_tilting(const InitialState& start, double* state, TransientSums* sums) const {
   using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
   const model::Parameters& p = study_.parameters;

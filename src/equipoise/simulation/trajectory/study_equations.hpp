@@ -21,7 +21,7 @@ struct MotionState : InitialState {
   double speed_error_integral = 0.0;  ///< if a speed control has one
 };
 
-/// dy/dt = f(t, y) for a whole study: spin-up, balls held and let go, motor or prescribed speed. Time in 1/omega_c,
+/// dy/dt = f(t, y) for a whole study: spin-up, balls held and released, motor or prescribed speed. Time in 1/omega_c,
 /// everything else as in docs/explanation/equations.md and machine/model/parameters.hpp.
 ///
 /// State y: the `dimension()` numbers that variables() names (machine/model/state_layout.hpp). It includes psi and

@@ -47,7 +47,7 @@ struct Unbalances {
   T part[parts];
 };
 
-// What limits are required of: r at the place watched, or what `beside` it is further out.
+// What limits apply to: r at the place watched, or at the other one if that is further out.
 struct Alone {
   template <class Curve>
   HWY_INLINE const Curve& operator()(const Curve& r2) const {

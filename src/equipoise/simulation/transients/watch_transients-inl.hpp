@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// What a tilting rotor has beside: where its sections are that are watched, and how it loads its supports.
+// What a tilting rotor has in addition: where its watched sections are, and how it loads its supports.
 template <bool tilt>
 class WatchedTilt {
  public:

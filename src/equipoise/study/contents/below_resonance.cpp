@@ -1,4 +1,4 @@
-// Compares the final speed with the critical one, at the ends of uncertain values too.
+// Compares the final speed with the critical one, also at the ends of uncertain values.
 #include "equipoise/study/contents/below_resonance.hpp"
 
 #include <algorithm>

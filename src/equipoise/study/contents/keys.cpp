@@ -40,7 +40,7 @@ template <auto... path>
 Member at(Study& study, std::size_t) {
   return &(study.*....*path);
 }
-// Of [speed], or of a motor's target, which is such a table too.
+// Of [speed], or of a motor's target, which is also such a table.
 template <auto member>
 Member of_ramp(Study& study, std::size_t entry) {
   RampSetting& ramp = entry == of_target ? study.speed.torque.target : study.speed;

@@ -179,7 +179,7 @@ inline constexpr std::array<const char*, 4> severity_class_names{"I", "II", "III
 /// [standards]: what results are judged by next to the limits; only in a study with scales.
 struct Standards {
   std::optional<SeverityClassName> severity_class;
-  bool hand_held = false;               ///< hands hold what the rotor shakes
+  bool hand_held = false;               ///< hands hold the vibrating machine
   std::optional<double> standing_mass;  ///< of all that stands on the floor, in M
   std::optional<double> friction;       ///< between its feet and the floor
 
@@ -254,7 +254,7 @@ struct Study {
   /// and damping stated. Else empty.
   std::vector<model::Bearing> each_bearing() const;
   bool physical = false;  ///< its values are quantities in physical units
-  DataSheet sheet;        ///< what it states besides, if so
+  DataSheet sheet;        ///< what else it states, if so
   /// Of a study in physical units: as it was read, all members in SI units, before nondimensionalise().
   std::shared_ptr<const Study> in_si;
   bool is_in_si() const { return physical && !scales; }  ///< this is such a study

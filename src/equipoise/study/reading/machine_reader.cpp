@@ -219,7 +219,7 @@ void read_load(const StudyFile& file, Study& study) {
   reader.finish();
 }
 
-// What a data sheet may state besides.
+// What else a data sheet may state.
 void check_sheet(const StudyFile& file, const RampSetting& ramp) {
   TableReader reader(file, "speed");
   if (reader.has("run_up")) {

@@ -206,9 +206,9 @@ struct Need {
   const char* why;
 };
 
-// Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
-// which what tilts the rotor does not show, and which limits.force does not take. Limits of the unbalance of a rotor
-// that tilts need the places of two bearings, in whose planes it is judged.
+// Forces on each of several bearings are gathered if each is known and no feet slide by their sum; otherwise a sum,
+// which does not show what tilts the rotor, and which limits.force does not take. Limits on a tilting rotor's unbalance
+// need the places of two bearings, in whose planes it is judged.
 const std::vector<Need>& needs() {
   static const std::vector<Need> all{
       {{"rotor.eccentricity_angle", "initial.tilt_x", "initial.tilt_y", "initial.tilt_x_dot", "initial.tilt_y_dot"},

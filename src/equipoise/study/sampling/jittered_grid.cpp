@@ -32,7 +32,7 @@ std::uint64_t count_cells(std::uint64_t side, int balls, bool exchange, std::uin
   return cells;
 }
 
-// Where `place` < count stands in an order that depends on the seed: a Feistel network over the next power of four,
+// The position of `place` < count in an order that depends on the seed: a Feistel network over the next power of four,
 // repeated until its output is below `count` (M. Luby, C. Rackoff, SIAM J. Comput. 17 (1988) 373, require four rounds).
 std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t count) {
   const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);

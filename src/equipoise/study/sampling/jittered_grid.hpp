@@ -8,7 +8,7 @@ namespace equipoise {
 /// Stratified sampling of ball angles: m^n equal cells, m per turn, with two independent uniform starts each, whose
 /// differences give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388). With `exchange` (exchanging balls
 /// changes no outcome's probability) only cells c_1 <= ... <= c_n are evaluated, each for all its mirror images. The
-/// seed shuffles the cells, so that the first starts are a fair sample too.
+/// seed shuffles the cells, so that the first starts are also a fair sample.
 class JitteredGrid {
  public:
   /// The largest grid that fits into `starts` >= 2 starts.

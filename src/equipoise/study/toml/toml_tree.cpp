@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 // Malformed text can break some assertions of toml++ (3.3), which reports each as an error right after. A debug build
-// with the header-only library must reach those errors too.
+// with the header-only library must also reach those errors.
 #ifndef TOML_ASSERT
 #define TOML_ASSERT(condition) static_assert(true)
 #endif

@@ -30,7 +30,7 @@ struct UnitText {
   bool is_product = false;        ///< it has the form of one
   std::string unknown;            ///< its first name that is not in the table
   int names = 0;                  ///< in it
-  std::optional<TableUnit> unit;  ///< empty if it is no product of units in the table
+  std::optional<TableUnit> unit;  ///< empty if it is not a product of units in the table
 };
 
 /// The unit alone.

@@ -58,7 +58,7 @@ bool names_hertz(std::string_view unit) {
   return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
 }
 
-// What everybody reads as turns a minute. A bare 1/s may be turns or radians.
+// What everyone reads as turns per minute. A bare 1/s may be turns or radians.
 bool names_turns_a_minute(std::string_view unit) { return is_among("min-1 min^-1 1/min", unit); }
 
 // Scales with a zero of their own: no product of units.
