@@ -80,20 +80,20 @@ def capacity(
     starts: int = 10000, seed: Optional[int] = None, output: Optional[str | os.PathLike[str]] = None,
     threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> CapacityResult:
-    """The largest unbalance, or other parameter, at which starts still balance as often as asked.
+    """The largest unbalance, or other parameter, at which starts still balance as often as required.
 
     Parameters
     ----------
     of : str, optional
-        Any key of the study; default the unbalance: in g mm of a study in physical units, else "rotor.eccentricity".
+        Any key of the study; default the unbalance: in g mm for a study in physical units, otherwise "rotor.eccentricity".
     between : (low, high) or str, optional
-        Where it is looked for; default of the two keys named: up to what all balls together can make up for.
+        Range searched; default for the two keys named: up to what all balls together can cancel.
     at_least : float
-        Share of starts that have to do what is asked, 0.01 to 0.9999.
+        Share of starts that must meet the requirement, 0.01 to 0.9999.
     by : str
-        What that is: "balanced", "limits" (keep all of the study's [limits]), or one of them by its name.
+        The requirement: "balanced", "limits" (meet all of the study's [limits]), or one of them by its name.
     precision : float
-        To what part of the range the boundary is located.
+        Precision of the boundary, as a part of the range.
     over, zip
         Cells, as for :func:`sweep`.
     output : path, optional

@@ -166,7 +166,7 @@ def chart(
     x_range, y_range : (low, high) or str
         Numbers, or quantities with units.
     boxes : int
-        At most so many boxes are tried; 0 proves nothing.
+        Maximum number of boxes; 0 proves nothing.
     undecided : float
         Percent of the plane at which proofs may end.
     cycles : bool

@@ -103,16 +103,16 @@ def compare(
     first, second : Study or path
         A path is that of a file that ``basin(output=)`` finished: its starts serve, and none is followed again.
     starts, seed : int, optional
-        Of both; only where both are studies.
+        Of both; only if both are studies.
     transients : bool, optional
-        Compare peaks, forces and settling times too; by default where either study has limits.
+        Also compare peaks, forces and settling times; default: if either study has limits.
     threads, progress, cpu, within
         As for :func:`basin`.
 
     Raises
     ------
     StudyError
-        For studies whose starts cannot be compared (grids), and files that are no finished ensemble's.
+        For studies whose starts cannot be compared (grids), and files without a finished ensemble.
     """
     one, study = _side(first, "first", starts, seed)
     other, _ = _side(second, "second", starts, seed)

@@ -26,7 +26,7 @@ class DesignResult(Result, WithPage):
     Attributes
     ----------
     feasible : bool
-        Whether a candidate keeps all requirements; else the chosen one comes nearest.
+        Whether a candidate meets all requirements; otherwise the chosen one is the nearest.
     best : Study or None
         The chosen design as a study that every other call takes.
     chosen, before : dict or None
@@ -37,7 +37,7 @@ class DesignResult(Result, WithPage):
     units : dict[str, str]
         Of the figures; "" of numbers without dimension, and of shares, which are fractions of one.
     margins : dict[str, dict]
-        By key, the largest effect first: how far each number of the chosen one may be off, changed alone.
+        By key, the largest effect first: how much each value of the chosen one may vary, changed alone.
     limited_by : list[str]
         What keeps the design from being better.
     """

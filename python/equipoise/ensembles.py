@@ -83,13 +83,13 @@ class BasinResult(Result):
     Attributes
     ----------
     shares : dict[str, float]
-        By name: the attractors, balanced first, then what came to none ("undecided", "diverged", "failed", "stalled")
-        as far as it happened; undecided is always there.
+        By name: the attractors, balanced first, then starts without one ("undecided", "diverged", "failed", "stalled")
+        if there are any; undecided is always there.
     errors : dict[str, tuple[float, float]]
         95 % intervals of the same.
     attractors : list[AttractorShare]
     labels : ndarray (starts,), int16
-        Attractor of each start; 0 undecided, -1 diverged, -2 failed, -3 stalled (``names`` tells).
+        Attractor of each start; 0 undecided, -1 diverged, -2 failed, -3 stalled (see ``names``).
     names : dict[int, str]
     phi : ndarray (starts, balls)
         Ball angles that each start began with, rad.
@@ -98,12 +98,12 @@ class BasinResult(Result):
     decision_time : ndarray (starts,)
         Study time at which the outcome was known, in 1/omega_c.
     decided_by : ndarray (starts,), int8
-        On what grounds; ``decided_by_names`` tells.
+        On what grounds; see ``decided_by_names``.
     transients : dict[str, ndarray (starts,)] or None
         Peak displacement and other transients by start (columns of the NetCDF file), dimensionless.
     without_balls : dict or None
         With transients: the same rotor without balls (``["no_balls"]``) and with balls held where they start
-        (``["balls_held"]``); of each ``["figures"]`` by the names of `transients`, in the units that they name.
+        (``["balls_held"]``); each has ``["figures"]`` by the names of `transients`, in the units that they name.
     verdict : dict or None
         With transients: whether to fit the balancer. ``["decision"]`` ("fit", "not_needed", "caution", "change",
         "do_not_fit", "open"), ``["words"]``, ``["because"]``, ``["change"]``; ``["tried"]``, if changes were tried.
@@ -260,7 +260,7 @@ class BasinResult(Result):
 
 
 def with_starts(study: Study, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
-    """The study that is asked with what a call was told of starts."""
+    """The study, with the starts that a call names."""
     return checked_study(study).with_starts(
         None if starts is None else whole("starts", starts, 1, MOST_STARTS),
         None if seed is None else whole("seed", seed, 0, LARGEST_SEED),
@@ -292,11 +292,11 @@ def basin(
     ----------
     study : Study
     starts : int, optional
-        Number of starts; default: the study's. With `half_width`: at most so many.
+        Number of starts; default: the study's. With `half_width`: the maximum.
     seed : int, optional
         Of the starts; default: the study's.
     half_width : float, optional
-        Sample until every share's 95 % interval is within +- so much (a fraction of one, 1e-6 to 0.5).
+        Sample until every share's 95 % interval is within +- this (a fraction of one, 1e-6 to 0.5).
     method : {"random", "sobol", "grid"}, optional
         How starts are chosen.
     transients : bool, optional
@@ -304,25 +304,25 @@ def basin(
         or physical units.
     changes : bool
         If the balancer falls short, try changes to it, on up to 100 starts each (at most half a minute of CPU time):
-        ``verdict["tried"]``. The command line does so unless it is told ``--no-changes``.
+        ``verdict["tried"]``. The command line does so unless given ``--no-changes``.
     initial : State, or array_like (n, balls) or (n, 4 + 2 balls), optional
         Starts of your own in place of drawn ones: states, ball angles, or with `frame` rows of x, y, two velocities,
         ball angles, ball rates. The intervals are those of random starts.
     frame : {"rotating", "inertial"}, optional
         What the velocities of such rows are: x_dot and y_dot, or u and v.
     sensitivity : bool or int
-        Of a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from so many rows.
+        For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``); a number is rows.
     attractors : Mapper, optional
-        Of the same rotor, final speed and numerics: its search serves here too, and is not made again. The result has the
+        Of the same rotor, final speed and numerics: its search also serves here and is not repeated. The result has the
         same bits.
     output : path, optional
         NetCDF file that is written as starts are done; the same call resumes or extends it.
     keep : bool
-        Keep every start in memory (11 bytes a start and 8 a ball, with transients 40 more).
+        Keep every start in memory (11 bytes per start and 8 per ball, with transients 40 more).
     threads : int
         0: all cores. No result depends on it.
     progress : bool or callable
-        True: a bar (tqdm); a callable is told ``(done, total, what)``.
+        True: a bar (tqdm); a callable is given ``(done, total, what)``.
     cpu : str, optional
         Instruction set, one of ``cpu_targets()``. Calls that run at the same time must not name different ones.
     within : float or str, optional

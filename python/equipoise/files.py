@@ -64,7 +64,7 @@ class Inspection(SavedAsData):
 def inspect(path: str | os.PathLike[str]) -> Inspection:
     """What a file of results (.nc), or the unfinished part of one (.nc.part), holds. Changes nothing.
 
-    Damage is told, not raised.
+    Damage is reported, not raised.
 
     Raises
     ------

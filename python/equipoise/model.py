@@ -28,21 +28,21 @@ class Model:
     x, y (centre of the race in the rotating frame, in R), two velocities, ball angles, ball rates, and of a driven rotor
     psi, psi_dot and the integral of the speed error. Time is in 1/omega_c.
 
-    The equations are in u, v, the velocity in the room: ``names`` tells their components, of which ``rhs`` and
-    ``jacobian`` give rates and slopes whatever frame a state was given in. So integrators want ``frame="inertial"``.
+    The equations are in u, v, the velocity in the room: ``names`` lists their components. ``rhs`` and ``jacobian`` give
+    rates and slopes of these, whatever frame a state was given in. So integrators need ``frame="inertial"``.
 
     Parameters
     ----------
     study : Study
     frame : {"rotating", "inertial"}, optional
-        Of arrays that methods take: their velocities are x_dot and y_dot, or u and v. Methods may be told another.
+        Of arrays that methods take: their velocities are x_dot and y_dot, or u and v. Methods accept another.
 
     Attributes
     ----------
     dimension : int
     names, units : list[str]
     breakpoints : list[float]
-        Times where the equations have a corner: an integrator has to end a step there, and begin again.
+        Times at which the equations have a corner: an integrator must end a step there and restart.
     pieces : list[tuple[float, float, bool]]
         Begin, end, and whether the balls are held; the same cut.
     release_time : float
@@ -102,7 +102,7 @@ class Model:
         return self._rows_of(t, state, piece)
 
     def _state_of(self, rows: Array, speed: npt.ArrayLike) -> State:
-        """Of an array as the equations have it; of a driven rotor the speed is in the array."""
+        """The state in an array as the equations have it; for a driven rotor, the speed is in the array."""
         whole = 4 + 2 * self.study.balls
         state = State.from_array(rows[..., :whole], frame="inertial", study=self.study, psi_dot=speed)
         return state._with(**dict(zip(self.names[whole:], np.moveaxis(rows[..., whole:], -1, 0))))
@@ -141,14 +141,14 @@ class Model:
     def rhs(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> Array:
-        """Rates of the components that ``names`` tells.
+        """Rates of the components in ``names``.
 
         Parameters
         ----------
-        t : float, or array of one time a state
+        t : float, or array of one time per state
         state : State, or array_like (..., dimension)
         piece : int, optional
-            Which piece of time is meant, where `t` is the end of one and the start of the next; default: the later one.
+            Which piece of time is meant if `t` is the end of one and the start of the next; default: the later one.
         frame : {"rotating", "inertial"}, optional
             Of such an array; default: the model's.
 
@@ -161,7 +161,7 @@ class Model:
     def jacobian(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> Array:
-        """The exact derivative of the rates by the components that ``names`` tells (dual numbers): (..., dimension, dimension)."""
+        """The exact derivative of the rates by the components in ``names`` (dual numbers): (..., dimension, dimension)."""
         return self._equations.jacobian(floats("t", t), self._rows(t, state, piece, frame), piece)
 
     def energy(
@@ -179,7 +179,7 @@ class Model:
     def motion(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> State:
-        """The state as a trajectory tells it, with x_dot, y_dot, psi and psi_dot."""
+        """The state as a trajectory gives it, with x_dot, y_dot, psi and psi_dot."""
         rows = self._equations.motion(floats("t", t), self._rows(t, state, piece, frame), piece)
         seen = State.from_array(rows[..., :-2], frame="rotating", study=self.study, psi_dot=rows[..., -1])
         return seen._with(psi=rows[..., -2])
@@ -236,13 +236,13 @@ class Known:
 
 
 class Mapper:
-    """Classifies states by the attractor that they come to, with the decisions of :func:`basin`, bit for bit.
+    """Classifies states by the attractor that they end in, with the decisions of :func:`basin`, bit for bit.
 
     The attractors are searched for once, when it is made; then ``mapper(state)`` takes micro- to milliseconds. Safe from
     several threads. One that is pickled, to work in another process say, searches again there.
 
-    States are followed to ``numerics.tolerance`` (default 1e-6). Whoever tracks a border of basins to less than about 1e-5
-    gives the study a smaller one: ``Mapper(study.replace({"numerics.tolerance": 1e-12}))``.
+    States are followed to ``numerics.tolerance`` (default 1e-6). To track a border of basins to less than about 1e-5,
+    give the study a smaller one: ``Mapper(study.replace({"numerics.tolerance": 1e-12}))``.
 
     Parameters
     ----------
@@ -287,7 +287,7 @@ class Mapper:
         return {fields[0]: Known(fields, self.study) for fields in self._core.attractors()}
 
     def __call__(self, state: StateLike, *, frame: Optional[Frame] = None) -> Optional[Known]:
-        """The attractor of one state: a State, `balls` angles, or with `frame` 4 + 2 `balls` numbers. None if it comes to
+        """The attractor of one state: a State, `balls` angles, or with `frame` 4 + 2 `balls` numbers. None if it ends in
         none."""
         one = not state.shape if isinstance(state, State) else angles("state", state).ndim == 1
         if not one:
@@ -319,7 +319,7 @@ class Mapper:
         return unless_interrupted(fates["labels"], fates["interrupted"])
 
     def name(self, label: int) -> str:
-        """Of an identifier, or of what has none."""
+        """The attractor's name for an identifier, or the outcome's."""
         known = self.attractors.get(label)
         return known.name if known else NO_ATTRACTOR[label]
 

@@ -197,7 +197,7 @@ def attractors(
     starts : int, optional
         Random starts searched; default 20736, which miss an attractor with a share above 1e-3 once in 1e9 searches.
     states : State, or array_like (n, 4 + 2 balls), optional
-        States at the final speed to follow besides, for attractors too rare to be met by chance; rows hold x, y, two
+        Additional states at the final speed to follow, for attractors too rare to be met by chance; rows hold x, y, two
         velocities, ball angles, ball rates.
     frame : {"rotating", "inertial"}, optional
         What the velocities of such rows are: x_dot and y_dot, or u and v.
@@ -217,7 +217,7 @@ class Event:
     """Something that happens to a branch between two values of the parameter.
 
     change: "birth", "death", "first seen", "last seen", "stability gained", "stability lost" or "kind"; cause: "fold",
-    "pitchfork", "Hopf" and their like, or "not followed further" of a branch that is first or last seen there. r_min,
+    "pitchfork", "Hopf" and so on, or "not followed further" for a branch that is first or last seen there. r_min,
     r_mean, r_max: displacement of the branch there, in R.
     """
 
@@ -347,14 +347,14 @@ def follow(
     Parameters
     ----------
     key : str
-        "speed.final", "balancer.drag", "rotor.eccentricity" and their like.
+        "speed.final", "balancer.drag", "rotor.eccentricity" and so on.
     low, high, step : float or str
-        Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
+        Dimensionless numbers, or quantities with units ("900 rpm") if the study has them.
     starts : int
         Random starts searched at every value, and half-way between, in addition to the pilot's; 0: 2000.
     states : State, or array_like (n, 4 + 2 balls), optional
-        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot. Whatever the
-        value, their velocity in the room is that which they have at the study's own final speed.
+        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot. At every
+        value, their velocity in the room is the one at the study's own final speed.
     frame : {"rotating", "inertial"}, optional
         As for :func:`attractors`.
     threads, progress, cpu, within

@@ -20,7 +20,7 @@ from .study import Study
 
 
 class Report(BasinResult):
-    """A page on one machine for two printed sheets, and the ensemble that it tells of (without its starts).
+    """A page on one machine for two printed sheets, and the ensemble that it reports (without its starts).
 
     Attributes
     ----------
@@ -117,7 +117,7 @@ def replay(
     index : int
         Of the start, from 0; it may exceed the study's number of starts.
     seed : int, optional
-        Of the starts; default: the study's, or the ensemble's. Name the one that :func:`basin` was told.
+        Of the starts; default: the study's, or the ensemble's. Name the one given to :func:`basin`.
     transients : bool, optional
         As for :func:`basin`.
     """

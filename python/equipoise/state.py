@@ -56,11 +56,11 @@ class State:
     phi, phi_dot : ndarray (..., balls)
         Ball angles from the heavy side and their rates, both seen from the rotor.
     psi, psi_dot : ndarray (...) or None
-        Angle and speed of the rotor, where they are known.
+        Angle and speed of the rotor, if known.
     speed_error_integral : ndarray (...) or None
         Of a motor whose control has one.
     frame : {"rotating", "inertial"}
-        What the velocity was given as, and ``array()`` gives unless it is told otherwise.
+        What the velocity was given as, and ``array()`` gives by default.
 
     Examples
     --------
@@ -196,7 +196,7 @@ class State:
 
 
 def no_frame(name: str) -> TypeError:
-    """Of an array whose velocities could be either."""
+    """The error for an array whose velocities could be either."""
     return TypeError(
         f'{name} is an array that does not say what its velocities are: pass frame="rotating" (x_dot, y_dot) or '
         'frame="inertial" (u, v) beside it, or an equipoise.State'

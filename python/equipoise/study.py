@@ -1,4 +1,4 @@
-"""Studies: what is asked, read, changed and written."""
+"""Studies: made, read, changed and written."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def _tables(given: Any, what: str) -> Mapping[str, Any]:
 
 
 class Study:
-    """A rotor, its balancer, how it is spun up, and what is asked of it.
+    """A rotor, its balancer, how it is spun up, and what is required of it.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class Study:
     Raises
     ------
     StudyError
-        If it is none: ``.key``, ``.value`` and ``.allowed`` say why.
+        If it is not valid: ``.key``, ``.value`` and ``.allowed`` say why.
 
     Examples
     --------
@@ -151,12 +151,12 @@ class Study:
         ----------
         changes, **keys
             Values by dotted key, as ``--set`` takes them on the command line: ``replace(**{"speed.final": 2.6})``,
-            ``replace({"rotor.unbalance": "200 g mm"})``; whole tables where keys change: ``replace(speed={...})``.
+            ``replace({"rotor.unbalance": "200 g mm"})``; whole tables if keys change: ``replace(speed={...})``.
 
         Raises
         ------
         StudyError
-            If the result is no study.
+            If the result is not a valid study.
         """
         together = {**_tables(changes, "changes"), **keys}
         overrides = [f"{_dotted(key)}={toml_value(str(key), value)}" for key, value in together.items()]
@@ -169,7 +169,7 @@ class Study:
             raise StudyError(text, error.key, error.value, error.wrong, error.allowed, self.name) from None
 
     def with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
-        """The same study with another number of starts, seed or method of sampling; None leaves what there is."""
+        """The same study with another number of starts, seed or method of sampling; None leaves the present one."""
         changes = {"sampling.starts": starts, "sampling.seed": seed, "sampling.method": method}
         given = {key: value for key, value in changes.items() if value is not None}
         return self.replace(given) if given else self

@@ -132,7 +132,7 @@ class Trajectory:
         return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A table with one row a time, indexed by t: the columns of the program's CSV."""
+        """A table with one row per time, indexed by t: the columns of the program's CSV."""
         columns: dict[str, Array] = {}
         for name in self._names:
             values = getattr(self, name)

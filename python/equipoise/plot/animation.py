@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
 _WAY = 0.15
-"""How much of the film's time the way of the centre stays in sight."""
+"""How much of the film's time the path of the centre stays in sight."""
 _TURN_A_FRAME = 2.0 * np.pi / 3.0
 """More than this between two frames, and an eye no longer shows which way a thing turns."""
 

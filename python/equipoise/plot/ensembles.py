@@ -1,4 +1,4 @@
-"""Pictures of an ensemble: the shares of its outcomes, and what the way there costs."""
+"""Pictures of an ensemble: the shares of its outcomes, and the transients before them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Outcome:
 
 
 def _outcomes(result: BasinResult) -> list[Outcome]:
-    """Attractors by identifier (two may have one name), then what came to none, undecided last."""
+    """Attractors by identifier (two may have one name), then starts without one, undecided last."""
     listed = [Outcome(a.id, parts.outcome_title(a.name, a.alias), a.share, a.low, a.high) for a in result.attractors]
     for code in sorted(NO_ATTRACTOR, key=parts.outcome_order):
         name = NO_ATTRACTOR[code]
@@ -59,7 +59,7 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
         value = parts.PERCENT * outcome.share
         ax.barh(row, value, height=0.62, color=parts.colour_of(outcome.code), edgecolor=parts.QUIET, linewidth=0.6)
         below, above = max(value - parts.PERCENT * outcome.low, 0.0), max(parts.PERCENT * outcome.high - value, 0.0)
-        # Dark on light and light on dark: the whisker is seen on the bar and beside it.
+        # Dark on light and light on dark: the whisker is seen on the bar and next to it.
         for colour, width in (("white", 3.2), (parts.INK, 1.4)):
             ax.errorbar(value, row, xerr=[[below], [above]], fmt="none", ecolor=colour, elinewidth=width, capsize=3.0)
         ax.annotate(
@@ -94,10 +94,10 @@ def transients(
     result: BasinResult, column: str = "peak_radial", bins: int = 40, limit: Optional[float] = None,
     ax: Optional[Axes] = None,
 ) -> Axes:
-    """How a figure of the way there is distributed over the starts, stacked by outcome, next to the study's limit.
+    """How a figure of the transients is distributed over the starts, stacked by outcome, next to the study's limit.
 
-    Percent of all starts over the figure, in the picture's units. Starts without the figure (lost ones; times that go
-    on) are told in the legend.
+    Percent of all starts over the figure, in the picture's units. The legend lists starts without the figure (lost
+    ones; times that go on).
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def transients(
     column : str
         A key of ``result.transients``: "peak_radial", "settling_time" and so on.
     bins : int
-        Bars from the least to the largest figure, 1 or more.
+        Number of bars from the smallest to the largest figure, 1 or more.
     limit : float, optional
         Drawn in place of the limit that the study states, in the unit of the picture's axis.
     ax : matplotlib.axes.Axes, optional

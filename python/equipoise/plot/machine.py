@@ -1,4 +1,4 @@
-"""The machine seen along its axis: race, balls, the way of the rotor's centre."""
+"""The machine seen along its axis: race, balls, the path of the rotor's centre."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FRAMES = ("rotor", "room")
 _SEEN = 0.02
 """Race radii between balls that are drawn as one: it bears all their numbers."""
 _PATH_POINTS = 2000
-"""Of an attractor: what does not repeat is followed over many turns."""
+"""For an attractor: what does not repeat is followed over many turns."""
 _REACH = 0.42
 """How far, in race radii, the rotor's magnified centre goes: it stays well inside the race."""
 
@@ -201,7 +201,7 @@ def disc(
     motion: Union[Trajectory, Attractor], at: int = -1, limit: Optional[float] = None, frame: str = "rotor",
     magnify: Optional[float] = None, legend: bool = True, ax: Optional[Axes] = None,
 ) -> Axes:
-    """The machine seen along its axis: race, numbered balls, the way of the rotor's centre, centre of mass, limit.
+    """The machine seen along its axis: race, numbered balls, the path of the rotor's centre, centre of mass, limit.
 
     Displacements are a few percent of the race's radius: they are drawn larger than the race, and the picture says how
     much. For an attractor the picture also shows what its balls do: bands where they swing, arrows where they run.
@@ -211,13 +211,13 @@ def disc(
     motion : Trajectory or Attractor
         Of `equipoise.simulate`, or one of `equipoise.attractors`.
     at : int
-        Index of the time at which balls and rotor are shown; the way is drawn up to there, of an attractor all of it.
+        Index of the time at which balls and rotor are shown; the path ends there, or is whole for an attractor.
     limit : float, optional
         A displacement drawn as a circle, in the unit of pictures; left out: the study's own, if it has one.
     frame : {"rotor", "room"}
         Whose eyes: turning with the rotor, or next to the machine.
     magnify : float, optional
-        Of displacements, above 0; left out: such that they are well seen.
+        Of displacements, above 0; left out: so that they are clearly visible.
     legend : bool
         Whether the signs are explained next to the picture.
     ax : matplotlib.axes.Axes, optional

@@ -60,8 +60,8 @@ class _Layer:
 
 
 def _layers(result: SweepResult) -> dict[int, _Layer]:
-    """By code, as they lie on one another: balanced, the others by identifier, and what came to none. Without what was
-    met nowhere, but for balanced."""
+    """By code, as they are stacked: balanced, the others by identifier, and starts without an attractor. Outcomes that
+    did not occur are left out, except balanced."""
     places = result.cells_by_place()
     missing = np.full(result.shape, np.nan)
     for place, _ in places:
@@ -117,8 +117,8 @@ def _balanced_points(ax: Axes, place: parts.Array, layer: _Layer, order: parts.A
 
 
 def _edges(values: parts.Array) -> tuple[parts.Array, bool]:
-    """Edges of the cells of a heat map, and whether values stand at themselves: evenly spaced ones do, others (0.01,
-    0.05, 0.1) at their ranks, so that all cells are of one size."""
+    """Edges of the cells of a heat map, and whether values are drawn to scale: evenly spaced ones are, others (0.01,
+    0.05, 0.1) are at their ranks, so that all cells have one size."""
     steps = np.diff(values)
     if values.size >= 3 and np.allclose(steps, steps[0], rtol=1e-6, atol=0.0):
         half = 0.5 * steps[0]

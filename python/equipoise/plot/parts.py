@@ -23,11 +23,11 @@ BALANCED = 1
 
 INK, QUIET, RULE = "#1B1F24", "#57606A", "#D0D7DE"
 LIMIT = "#B3361B"
-"""Colours of what is no outcome: text and lines, what stands back, grid; and what a machine is asked to keep."""
+"""Colours of what is not an outcome: text and lines, background parts, grid; and a machine's limits."""
 
 PERCENT = 100.0
 LINE_POINTS_AS_PICTURE = 20000
-"""A line of more points is put into a vector file as a picture: nobody could tell, and a page stays quick."""
+"""A line of more points is put into a vector file as a picture: it looks the same, and a page stays quick."""
 
 
 def pyplot() -> Any:
@@ -49,7 +49,7 @@ def pyplot() -> Any:
 
 
 def outcome_order(code: int) -> tuple[bool, int]:
-    """Sorts codes of outcomes: attractors by identifier, what came to none, undecided last."""
+    """Sorts codes of outcomes: attractors by identifier, starts without one, undecided last."""
     return code <= 0, code
 
 

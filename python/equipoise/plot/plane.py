@@ -49,7 +49,7 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
 
 
 def _finished(ax: Axes, result: OverPlane, handles: list[Any]) -> Axes:
-    ax.set_anchor("W")  # beside its legend
+    ax.set_anchor("W")  # next to its legend
     ax.set_xlabel(parts.axis_label(result.x_key))
     ax.set_ylabel(parts.axis_label(result.y_key))
     ax.tick_params(color=parts.QUIET, labelcolor=parts.INK)
