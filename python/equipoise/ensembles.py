@@ -311,7 +311,7 @@ def basin(
     frame : {"rotating", "inertial"}, optional
         What the velocities of such rows are: x_dot and y_dot, or u and v.
     sensitivity : bool or int
-        For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``); a number is rows.
+        For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from this many rows.
     attractors : Mapper, optional
         Of the same rotor, final speed and numerics: its search also serves here and is not repeated. The result has the
         same bits.

@@ -13,8 +13,8 @@
 
 namespace equipoise {
 
-/// Tables, and a sentence each if one says it all: for a study with scales whose result has the rotor without balls;
-/// otherwise empty.
+/// A table for each, or a sentence if that says it all: for a study with scales whose result has the rotor without
+/// balls; otherwise empty.
 std::vector<Block> standards_blocks(const BasinResult& result);
 /// In groups: the rotor without balls next to that with them; which limits are kept; what standards make of it. A group
 /// that has nothing to report is left out.

@@ -59,7 +59,7 @@ struct DocumentTable {
   bool folded = false;  ///< long detail, shown on demand
   /// Columns that a narrow screen may hide.
   std::vector<std::size_t> spare{};
-  std::size_t missed = 0;  ///< this many of these, the first, are missed: text says which of them are hidden
+  std::size_t missed = 0;  ///< how many of these, the first ones, are missed: text says which of them are hidden
 };
 /// A picture drawn for the page itself (report/drawing/svg.hpp), as text in the page's own light or dark colours.
 struct Drawing {

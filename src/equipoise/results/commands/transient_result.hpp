@@ -76,9 +76,9 @@ struct TransientResult {
 /// One body's runs over the same drive, by the figures of the ensemble's transients.
 struct OneBodyRuns {
   TransientGroup figures;     ///< of all runs that were not lost; without the drive's work
-  bool one = false;           ///< every start has the same: a single run, whose intervals say nothing
+  bool one = false;           ///< all starts have the same: a single run, whose intervals say nothing
   std::uint64_t runs = 0;     ///< followed
-  std::uint64_t stalled = 0;  ///< of driven rotors: that their motor does not bring up to speed
+  std::uint64_t stalled = 0;  ///< driven rotors that their motor does not bring up to speed
   std::uint64_t open = 0;     ///< without a steady motion while followed; their figures at the end are the last seen
   std::uint64_t lost = 0;     ///< that diverged or failed
   std::vector<PairedStart> first{};  ///< runs that have the rotors of the ensemble's first starts
