@@ -54,8 +54,8 @@ def writers(bench):
     }
     if not bench.quick:
         chosen["b.nc"] = (*along, "-o")
-        chosen["c.html"] = row = ("reproduce", "table-7", "--law", "kinematic", "--starts", "20", "--quiet", "--report")
-        chosen |= {"b.svg": (*along, "--plot"), "c.md": row}
+        chosen["b.svg"] = (*along, "--plot")
+        chosen["c.html"] = ("reproduce", "table-7", "--law", "kinematic", "--starts", "20", "--quiet", "--report")
     return chosen
 
 
