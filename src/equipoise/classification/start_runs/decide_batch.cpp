@@ -148,16 +148,19 @@ std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open)
   std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(i)
                                        : few()            ? unlisted_of_few(i, now)
                                                           : followed(i, now, patience);
-  // Few starts are not all followed.
-  if (start && !start->motion && !few() && is_in_chaos(i, start->state, now + patience)) {
-    // Chaos that outlasts the horizon is the motion of this rotor if it can be described, as a search would list it.
-    if (open) start = followed(i, now, patience = lasting_chaos);
-    if (start && !start->motion) {
-      start = in_chaos(i, now);
-      fate.time = std::max(fate.time, now + patience);
-    }
-  }
   if (!start) return start;
+  // Few starts are not all followed.
+  const bool chaos = !start->motion && !few() && is_in_chaos(i, start->state, now + patience);
+  if (chaos && open) {
+    // Chaos that outlasts the horizon is the motion of this rotor if it can be described, as a search would list it.
+    patience = lasting_chaos;
+    start = followed(i, now, patience);
+    if (!start) return start;
+  }
+  if (chaos && !start->motion) {
+    start = in_chaos(i, now);
+    fate.time = std::max(fate.time, now + patience);
+  }
   const std::optional<Motion>& motion = start->motion;
   const bool measured = motion && motion->kind == MotionKind::measured;
   fate.attractor = 0;
