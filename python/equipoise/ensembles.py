@@ -313,8 +313,8 @@ def basin(
     sensitivity : bool or int
         For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from this many rows.
     attractors : Mapper, optional
-        Of the same rotor, final speed and numerics: its search also serves here and is not repeated. The result has the
-        same bits.
+        For the same rotor, final speed and numerics: its search is used here and not repeated. The result has the same
+        bits.
     output : path, optional
         NetCDF file that is written as starts are done; the same call resumes or extends it.
     keep : bool

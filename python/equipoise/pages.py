@@ -117,7 +117,7 @@ def replay(
     index : int
         Of the start, from 0; it may exceed the study's number of starts.
     seed : int, optional
-        Of the starts; default: the study's, or the ensemble's. Name the one given to :func:`basin`.
+        Seed of the starts; default: the study's, or the ensemble's. Name the one given to :func:`basin`.
     transients : bool, optional
         As for :func:`basin`.
     """

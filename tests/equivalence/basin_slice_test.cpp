@@ -251,7 +251,7 @@ struct Lines {
   const Session runner;
 };
 
-// Balls captured in different ways are missed by a mesh of so few starts.
+// The mesh for these starts misses balls captured in different ways.
 TEST(BasinSlice, LooksAlongLinesThatAreLongEnoughToPay) {
   EXPECT_FALSE(LineMotions::pays(31));
   EXPECT_TRUE(LineMotions::pays(32));

@@ -72,8 +72,8 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& la
 /// System::scale() V is the square of the distance or more.
 ///
 /// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
-/// lack the motion, or barely have it, are also known. A rotor closer to one of them than any with the motion is gets
-/// an infinite V.
+/// lack the motion, or barely have it, are also known. A rotor that is closer to one of these than any rotor with the
+/// motion gets an infinite V.
 class PathRegion final : public WindowRegion {
  public:
   /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
