@@ -88,7 +88,11 @@ BalanceNote Session::balance() const {
     note.stable = note.stable || cell.search.balanced.stable;
     if (note.note.empty()) note.note = cell.search.balanced.note;
   }
-  if (note.stable && family_) note.note.clear();
+  // A note is about the rotor of one cell; others of the family may balance.
+  if (family_ && note.stable)
+    note.note.clear();
+  else if (family_ && !note.note.empty())
+    note.note.add_before("for some of the rotors drawn, ");
   return note;
 }
 

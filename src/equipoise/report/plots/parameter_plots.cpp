@@ -64,8 +64,8 @@ std::vector<Plot> capacity_plots(const CapacityResult& r) {
   const std::string y_label = label_with_unit(r.key, r.unit);
   std::vector<Plot> plots;
   if (r.axes.empty()) {
-    Plot plot{"", y_label, "balanced (%)", false, false, true};
-    PlotSeries series{"balanced share", dark_colour};
+    Plot plot{"", y_label, fmt::format("starts that {} (%)", r.asked()), false, false, true};
+    PlotSeries series{"share", dark_colour};
     for (const CapacityTrial& t : r.cells.front() ? r.cells.front()->trials : std::vector<CapacityTrial>{})
       series.add(t.value, 100.0 * t.balanced.share, 100.0 * t.balanced.low, t.unstable ? 0.0 : 100.0 * t.balanced.high);
     const double asked = 100.0 * r.at_least;

@@ -86,7 +86,7 @@ namespace {
 
 // The values that were tried, of a capacity alone.
 DocumentTable table_of_trials(const CapacityResult& r) {
-  DocumentTable table{{column_title(r.key, r.unit), "balanced", "95 % interval", "undecided"}};
+  DocumentTable table{{column_title(r.key, r.unit), r.asked(), "95 % interval", "undecided"}};
   for (const CapacityTrial& t : r.cells.front()->trials) {
     std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
     if (t.unstable)
@@ -111,10 +111,10 @@ Document document_of(const CapacityResult& r) {
   document.add(Paragraph{question});
   const bool any = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& cell) { return cell.has_value(); });
   if (any) {
-    document.add(Heading{2, r.axes.empty() ? "How often it balances" : "What it balances", ""});
+    document.add(Heading{2, r.axes.empty() ? "Starts that " + r.asked() : "The largest " + key_words(r.key), ""});
     DrawingRow row =
         drawn(capacity_plots(r),
-              r.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+              r.axes.empty() ? fmt::format("Share of the starts that {} at every value tried, with its 95 % interval.", r.asked())
                              : "A stroke is a 95 % interval: below its lower end the share is shown to be large "
                                "enough, above its upper end it is shown to be too small.");
     row.details = question + (r.complete() ? "" : " PARTIAL: stopped early.");

@@ -212,15 +212,12 @@ std::string carried_text(const Study& study, const model::Carrying& c) {
 std::string hanging_text(const Study& study) {
   const auto c = carrying(study);
   if (!c || !c->may_hang()) return "";
-  const std::string carried = carried_text(study, *c);
+  std::string text =
+      "balls that hang below the shaft at the final speed stay there and balance nothing, unless vibration shakes them "
+      "loose: " +
+      carried_text(study, *c);
   const double factor = c->all / c->reached;
-  return std::isinf(factor)
-             ? fmt::format("balls that hang below the shaft at the final speed stay there and balance nothing: {}",
-                           carried)
-             : fmt::format(
-                   "balls that hang below the shaft at the final speed stay there and balance nothing: {}; at the "
-                   "speed reached it takes {:.3g} times the drag",
-                   carried, factor);
+  return std::isinf(factor) ? text : text + fmt::format("; at the speed reached it takes {:.4g} times the drag", factor);
 }
 
 const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }

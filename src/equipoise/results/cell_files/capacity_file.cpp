@@ -52,7 +52,7 @@ void add_trials(io::CellDataset& data, const std::string& unit, const CapacityRe
   add("trial_value", unit, result.key + ": value tried", [](const CapacityTrial& t) { return t.value; });
   add("trial_starts", "1", "starts followed",
       [](const CapacityTrial& t) { return static_cast<double>(t.balanced.total); });
-  add("trial_share", "1", "share of the starts that end balanced",
+  add("trial_share", "1", "share of the starts that " + result.asked(),
       [](const CapacityTrial& t) { return t.balanced.share; });
   add("trial_share_low", "1", io::lower_end, [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.low; });
   add("trial_share_high", "1", io::upper_end,

@@ -18,7 +18,7 @@ namespace equipoise {
 /// One ensemble of the search.
 struct CapacityTrial {
   double value = 0.0;
-  Share balanced, undecided;  ///< balanced: that meet the requirement; of no starts if `unstable`
+  Share balanced, undecided;  ///< balanced: starts that meet the requirement (asked()); no starts if `unstable`
   bool unstable = false;      ///< no balanced state attracts there: no start was followed
   /// States on the motions found, from which the search at a neighbouring value begins.
   std::vector<std::vector<double>> states;

@@ -30,6 +30,11 @@ struct Note : std::string {
     append(words);
     return *this;
   }
+  Note& add_before(const std::string& words) {
+    insert(0, words);
+    for (NotedQuantity& q : quantities) q.begin += words.size();
+    return *this;
+  }
   Note& add_speed(double speed) {
     return add(NotedQuantity::Kind::speed, speed, speed, fmt::format("at speed {}", speed));
   }
