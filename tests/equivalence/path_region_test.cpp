@@ -1,6 +1,6 @@
 // Trapping regions around motions whose phase no angle tells, and around those whose place differs between the rotors
 // of a family.
-#include "equipoise/classification/trapping_regions/window_region.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "../support/parameters.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 namespace balanced_text_test {

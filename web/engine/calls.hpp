@@ -8,7 +8,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::web {

@@ -18,7 +18,7 @@
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/motion_words.hpp"

@@ -27,7 +27,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {

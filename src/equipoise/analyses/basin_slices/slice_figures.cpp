@@ -12,7 +12,7 @@
 #include "equipoise/core/statistics/distributions.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

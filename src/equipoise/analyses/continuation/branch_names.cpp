@@ -10,7 +10,7 @@
 
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

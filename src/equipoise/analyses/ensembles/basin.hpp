@@ -13,7 +13,7 @@
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/study/contents/study.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "equipoise/results/commands/start_arrays.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 

@@ -12,7 +12,7 @@
 #include "equipoise/core/statistics/escape_rate.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 

@@ -9,7 +9,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 

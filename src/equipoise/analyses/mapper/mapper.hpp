@@ -10,7 +10,7 @@
 
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/core/running/run_options.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/study/contents/study.hpp"
 

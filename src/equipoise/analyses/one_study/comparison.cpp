@@ -16,7 +16,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {

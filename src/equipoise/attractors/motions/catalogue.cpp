@@ -12,7 +12,7 @@
 #include "equipoise/attractors/equilibria/equilibria.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,7 @@
 #include "equipoise/attractors/periodic_orbits/event_run-inl.hpp"
 #include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
 #include "equipoise/simulation/transients/transient_watch.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,7 @@
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 

@@ -20,7 +20,7 @@
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
 #include "equipoise/classification/trapping_regions/stalled_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
-#include "equipoise/classification/trapping_regions/window_region.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
 #include "equipoise/core/running/search_log.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
@@ -181,7 +181,7 @@ class SearchRegions {
 
   Search& s_;
   OrbitRegions cycles_;
-  std::vector<std::shared_ptr<const WindowRegion>> windowed_;
+  std::vector<std::shared_ptr<const PathRegion>> windowed_;
   std::optional<ContinuumRegion> continuum_;
   std::optional<StalledRegion> stalled_;
   std::map<int, int> without_;  // by attractor: motions for which no region was found

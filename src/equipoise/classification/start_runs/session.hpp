@@ -18,7 +18,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/results/types/note.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"

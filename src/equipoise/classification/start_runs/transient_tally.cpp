@@ -7,7 +7,7 @@
 
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

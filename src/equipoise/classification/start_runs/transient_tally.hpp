@@ -10,7 +10,7 @@
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/core/statistics/quantile.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 

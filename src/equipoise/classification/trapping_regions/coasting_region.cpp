@@ -17,7 +17,7 @@
 #include "equipoise/machine/mechanics/energy.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -1,5 +1,5 @@
 // Places along a motion, for one rotor or as polynomials of a family's coordinates.
-#include "equipoise/classification/trapping_regions/window_region.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 namespace equipoise {

@@ -15,7 +15,7 @@
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,7 @@
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,7 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/results/commands/branch.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

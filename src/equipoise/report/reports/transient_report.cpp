@@ -15,7 +15,7 @@
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

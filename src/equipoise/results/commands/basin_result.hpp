@@ -14,7 +14,7 @@
 #include "equipoise/results/commands/sensitivity_result.hpp"
 #include "equipoise/results/commands/start_arrays.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"

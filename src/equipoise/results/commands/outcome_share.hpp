@@ -9,7 +9,7 @@
 
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/results/columns/column.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "equipoise/results/columns/transient_figures.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 

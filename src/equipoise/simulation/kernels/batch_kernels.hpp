@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"

@@ -19,7 +19,7 @@
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/machine/model/hybrid_flow-inl.hpp"
 #include "equipoise/machine/model/smooth_flow-inl.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equipoise/machine/model/parameters.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 namespace equipoise {
 

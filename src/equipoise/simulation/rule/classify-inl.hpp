@@ -20,7 +20,7 @@
 #include "equipoise/simulation/rule/window_samples-inl.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

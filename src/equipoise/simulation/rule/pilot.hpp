@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "equipoise/core/base/bytes.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 
 namespace equipoise {

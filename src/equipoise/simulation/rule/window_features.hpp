@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/machine/model/parameters.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 
 namespace equipoise {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/results/types/transient_table.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/study/contents/study.hpp"

@@ -9,7 +9,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/integrate/clamped.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"

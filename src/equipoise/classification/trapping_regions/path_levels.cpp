@@ -1,5 +1,5 @@
 // Bounds within which lanes test, and levels that trials passed.
-#include "equipoise/classification/trapping_regions/window_region.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@ constexpr int watched_half_windows = 12;
 
 }  // namespace
 
-double WindowRegion::time_to_level(double value) const {
+double PathRegion::time_to_level(double value) const {
   return std::isfinite(value) && level_ > 0.0 && rate_ < 0.0 ? std::log(value / level_) / (-2.0 * rate_) : 0.0;
 }
 
-void WindowRegion::hold(const Eigen::VectorXd& state) {
+void PathRegion::hold(const Eigen::VectorXd& state) {
   low_ = low_.size() > 0 ? low_.cwiseMin(state).eval() : state;
   high_ = high_.size() > 0 ? high_.cwiseMax(state).eval() : state;
   double r2 = state.head<2>().squaredNorm();
@@ -32,7 +32,7 @@ void WindowRegion::hold(const Eigen::VectorXd& state) {
   r2_high_ = std::max(r2_high_, r2);
 }
 
-double WindowRegion::value(const double* state, const OwnRotor* own) const {
+double PathRegion::value(const double* state, const OwnRotor* own) const {
   double least = infinite;
   std::array<double, max_dimension> placed{};
   for (const Eigen::VectorXi& places : places_) {
@@ -42,7 +42,7 @@ double WindowRegion::value(const double* state, const OwnRotor* own) const {
   return least;
 }
 
-bool WindowRegion::may_hold(const double* state) const {
+bool PathRegion::may_hold(const double* state) const {
   const double reach = level_ > 0.0 ? between_ + std::sqrt(level_) : infinite;
   for (Eigen::Index i = 0; i < low_.size(); ++i) {
     if (i >= 4 && i < 4 + balls_) continue;
@@ -53,7 +53,7 @@ bool WindowRegion::may_hold(const double* state) const {
 }
 
 // By how much further off the states of a window may lie that ends inside the region.
-void WindowRegion::widen(WindowRegions& bounds) const {
+void PathRegion::widen(WindowRegions& bounds) const {
   const double far = between_ + away_in_window * std::sqrt(level_);
   const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);
   bounds.r2_low = std::min(bounds.r2_low, r * r - 1e-300);
@@ -64,7 +64,7 @@ void WindowRegion::widen(WindowRegions& bounds) const {
   }
 }
 
-bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
+bool validate(const std::shared_ptr<PathRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
               double near) {
   // Spread over the motion, whatever the order of its states.
   const auto state = [&](const Trial& trial) {
@@ -85,7 +85,7 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& la
   return region->level() > 0.0;
 }
 
-void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions) {
+void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const PathRegion>>& regions) {
   rule.windowed = {};
   if (regions.empty()) return;
   rule.windowed.watched = watched_half_windows;

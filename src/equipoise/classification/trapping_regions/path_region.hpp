@@ -18,9 +18,23 @@
 namespace equipoise {
 
 /// A level set of a function V of states, 0 on a motion of a system with section `none` and falling on the way to it.
-class WindowRegion {
+///
+/// Places along the motion, equally spaced in time, each with a form P of deviations. V of a state is the least d^T P d
+/// over the places next to it, with d its deviation from the motion there. An equilibrium has one place. In
+/// System::scale() V is the square of the distance or more.
+///
+/// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
+/// lack the motion, or barely have it, are also known. A rotor that is closer to one of these than any rotor with the
+/// motion gets an infinite V.
+class PathRegion {
  public:
-  virtual ~WindowRegion() = default;
+  /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
+  /// periodic, too slow an approach, too many exchange images, Floquet vectors that double precision cannot separate,
+  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; null, too, if
+  /// few of them have it.
+  static std::shared_ptr<PathRegion> around(const model::System& system, const Motion& motion, int attractor,
+                                            const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
+                                            NotePage* notes = nullptr);
 
   int attractor() const { return attractor_; }
   double level() const { return level_; }
@@ -36,56 +50,8 @@ class WindowRegion {
   /// well above the level. `own`: the state's own rotor, or null.
   double value(const double* state, const OwnRotor* own = nullptr) const;
   /// A state on `level` next to place `which` (modulo their number) of the motion.
-  virtual Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
-                                         const OwnRotor* own = nullptr) const = 0;
-
- protected:
-  WindowRegion(const model::System& system, int attractor)
-      : attractor_(attractor), balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
-
-  // V of a state whose balls are in their places, not outside may_hold().
-  virtual double value_in_place(const double* state, const OwnRotor* own) const = 0;
-  // Widens low_, high_ and the bounds of r to contain a state on the motion.
-  void hold(const Eigen::VectorXd& state);
-
-  int attractor_, balls_;
-  double level_ = 0.0, floor_ = 0.0;
-  double between_ = 0.0;  // largest distance along the motion between kept states
-  double rate_ = 0.0;     // at which states end in the motion, negative
-  Eigen::VectorXd inverse_scale_;
-  std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of alike balls
-
- private:
-  // Whether a state, its balls in their places, may lie within the level, by everything except ball angles.
-  bool may_hold(const double* state) const;
-
-  Eigen::VectorXd low_, high_;  // of everything on the motion
-  double r2_low_ = 1e300, r2_high_ = 0.0;
-};
-
-/// Sets the region's level by trials. False if no level passes. `near`: as in highest_good_level().
-bool validate(const std::shared_ptr<WindowRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
-              double near = 0.0);
-
-/// Places along the motion, equally spaced in time, each with a form P of deviations. V of a state is the least d^T P d
-/// over the places next to it, with d its deviation from the motion there. An equilibrium has one place. In
-/// System::scale() V is the square of the distance or more.
-///
-/// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
-/// lack the motion, or barely have it, are also known. A rotor that is closer to one of these than any rotor with the
-/// motion gets an infinite V.
-class PathRegion final : public WindowRegion {
- public:
-  /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
-  /// periodic, too slow an approach, too many exchange images, Floquet vectors that double precision cannot separate,
-  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; also null if
-  /// few of them have it.
-  static std::shared_ptr<PathRegion> around(const model::System& system, const Motion& motion, int attractor,
-                                            const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
-                                            NotePage* notes = nullptr);
-
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
-                                 const OwnRotor* own) const override;
+                                 const OwnRotor* own = nullptr) const;
   /// Whether the rotor has the motion, as far as known.
   bool holds_for(const OwnRotor& own) const;
 
@@ -114,7 +80,9 @@ class PathRegion final : public WindowRegion {
     double square_to_nearest = 0.0;
   };
 
-  using WindowRegion::WindowRegion;
+  PathRegion(const model::System& system, int attractor)
+      : attractor_(attractor), balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
+
   bool describe_rest(const model::System& system, const Motion& motion);
   bool describe_orbit(const model::System& system, const Motion& motion);
   bool follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
@@ -131,8 +99,21 @@ class PathRegion final : public WindowRegion {
   Eigen::VectorXd away(const Eigen::VectorXd& state, const Eigen::VectorXd& from) const;
   void lay_out();
   Eigen::VectorXd terms(const OwnRotor* own) const;
-  double value_in_place(const double* state, const OwnRotor* own) const override;
+  // V of a state whose balls are in their places, not outside may_hold().
+  double value_in_place(const double* state, const OwnRotor* own) const;
+  // Whether a state, its balls in their places, may lie within the level, by everything except ball angles.
+  bool may_hold(const double* state) const;
+  // Widens low_, high_ and the bounds of r to contain a state on the motion.
+  void hold(const Eigen::VectorXd& state);
 
+  int attractor_, balls_;
+  double level_ = 0.0, floor_ = 0.0;
+  double between_ = 0.0;  // largest distance along the motion between kept states
+  double rate_ = 0.0;     // at which states end in the motion, negative
+  Eigen::VectorXd inverse_scale_;
+  std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of alike balls
+  Eigen::VectorXd low_, high_;           // of everything on the motion
+  double r2_low_ = 1e300, r2_high_ = 0.0;
   std::vector<Place> along_;
   Eigen::MatrixXd positions_;     // a column for each term of the coordinates; place after place
   int degree_ = 0;                // of these polynomials
@@ -141,12 +122,16 @@ class PathRegion final : public WindowRegion {
   std::vector<double> table_;     // all that value_in_place() reads, for all places
 };
 
+/// Sets the region's level by trials. False if no level passes. `near`: as in highest_good_level().
+bool validate(const std::shared_ptr<PathRegion>& region, const LevelLadder& ladder, const TrialSettings& settings,
+              double near = 0.0);
+
 /// The trapping region, with its level found by trials. Null if there is none. `own`: the rotor that has the motion, if
 /// trials have their own; `near`: as in highest_good_level().
 std::shared_ptr<const PathRegion> path_region(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near = 0.0);
 
 /// Makes `rule` test these in place of earlier ones.
-void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions);
+void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const PathRegion>>& regions);
 
 }  // namespace equipoise
