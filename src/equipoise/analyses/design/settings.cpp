@@ -4,31 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/units/unit_table.hpp"
+#include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
 
 namespace {
-
-// The text after the number.
-std::string_view behind_number(const std::string& text, double& number) {
-  const auto read = read_number(text.data(), text.data() + text.size(), number);
-  std::string_view rest(read.end, text.data() + text.size() - read.end);
-  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  return read.error == std::errc() ? rest : std::string_view();
-}
-
-// speed.final names the final speed whatever the profile.
-std::string key_in(const StudyValue& tree, const std::string& key) {
-  const StudyValue* profile = key == "speed.final" ? tree.find_path("speed.profile") : nullptr;
-  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
-}
 
 StudyValue& table_in(StudyValue& tree, const std::string& dotted) {
   StudyValue* table = &tree;
@@ -45,14 +31,11 @@ StudyValue& table_in(StudyValue& tree, const std::string& dotted) {
 }  // namespace
 
 double number_of(const StudyValue& value) {
-  double number = value.number();
-  if (const std::string* text = value.string()) behind_number(*text, number);
-  return number;
+  return value.string() ? study::split_quantity(*value.string()).number : value.number();
 }
 
 std::string unit_of_value(const StudyValue& value) {
-  double number = 0.0;
-  return value.string() ? std::string(behind_number(*value.string(), number)) : "";
+  return value.string() ? study::split_quantity(*value.string()).unit : "";
 }
 
 double number_in_unit(const StudyValue& value, const std::string& unit) {
@@ -86,16 +69,11 @@ double allowed_number(const DesignVariable& variable, const StudyValue& value) {
 }
 
 std::string text_of(const StudyValue& value) {
-  StudyValue table{{"v", value}};
-  if (value.table()) {
-    std::string text;
-    for (const auto& [key, entry] : *value.table())
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, text_of(entry));
-    return text;
-  }
-  const std::string text = study::toml_text(StudyValue{{"t", table}});  // "[t]\nv = ...\n"
-  const std::size_t begin = text.find("v = ") + 4;
-  return text.substr(begin, text.size() - begin - 1);
+  if (!value.table()) return study::value_text(value);
+  std::string text;
+  for (const auto& [key, entry] : *value.table())
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, text_of(entry));
+  return text;
 }
 
 std::string text_of(const std::vector<DesignSetting>& settings) {
@@ -106,7 +84,7 @@ std::string text_of(const std::vector<DesignSetting>& settings) {
 }
 
 const StudyValue* stated_in(const StudyValue& tree, const std::string& key) {
-  const StudyValue* value = tree.find_path(key_in(tree, key));
+  const StudyValue* value = tree.find_path(study::key_here(tree, key));
   return value && !value->table() && !value->array() ? value : nullptr;
 }
 
@@ -116,7 +94,7 @@ void set_in(StudyValue& tree, const std::vector<DesignSetting>& settings) {
       tree.set(s.key, s.value);
       continue;
     }
-    const std::string key = key_in(tree, s.key);
+    const std::string key = study::key_here(tree, s.key);
     const std::size_t dot = key.rfind('.');
     StudyValue& table = table_in(tree, key.substr(0, dot));
     table.set(key.substr(dot + 1), s.value);

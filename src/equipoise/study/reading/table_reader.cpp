@@ -49,12 +49,6 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
   throw InputError(overrides_name, shown_text(key), shown_text(value), "must be a single TOML value");
 }
 
-// speed.final names the final speed whatever the profile.
-std::string key_here(const StudyValue& root, const std::string& key) {
-  const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
-  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
-}
-
 bool holds_tables(const StudyValue& value) {
   return value.array() && !value.array()->empty() && value.array()->front().table();
 }
@@ -103,6 +97,11 @@ void apply_override(StudyFile& file, const std::string& text) {
 }
 
 }  // namespace
+
+std::string key_here(const StudyValue& root, const std::string& key) {
+  const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
+  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
+}
 
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
   return shown(taken.contains(dotted_key) ? *root.find_path(dotted_key) : value);

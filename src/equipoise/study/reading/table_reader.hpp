@@ -73,6 +73,9 @@ struct StudyFile {
   [[noreturn]] void fail(const std::string& dotted_key, const std::string& problem) const;
 };
 
+/// The key that states `key` in this tree: speed.final of a constant speed is its speed.
+std::string key_here(const StudyValue& root, const std::string& key);
+
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML. Other text that does not begin like an
 /// array, table or string counts as a string: --set speed.law=published.
 StudyFile parse_study_file(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
