@@ -37,7 +37,7 @@ std::string left_text(const std::optional<WorkLeft>& left) {
 
 std::string going_on(Keeper keeper, const std::string& output) {
   if (!output.empty() && (std::filesystem::exists(output) || std::filesystem::exists(output + ".part")))
-    return fmt::format("the same command goes on from {}", output);
+    return fmt::format("the same command resumes from {}", output);
   if (!output.empty()) return fmt::format("nothing is in {} yet", output);
   if (keeper) return fmt::format("with {} the same command would go on from here", keeper);
   return "this command keeps nothing between runs: give it more time";

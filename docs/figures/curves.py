@@ -125,7 +125,7 @@ def best_spin_ups():
              ((0, 0), (164.77, 1.11343), (237.711, 2.45313), (348.693, 5.92489), (434.736, 2), (540, 2)))):
         one.plot(*zip(*points), color=colour, linestyle=look, linewidth=2.2, label=label)
     one.plot((143.268, 228.773, 50.1302), (7.163, 6.133, 0.1926), "o", markersize=10, color="#333333", fillstyle="none",
-             label="balls let go")
+             label="balls released")
     one.set(xlim=(0, 540), ylim=(0, 8.6), xlabel="time, 1/ω_c", ylabel="speed, ω_c")
     figure.legend(loc="outside upper center", ncols=5, frameon=False)
     return figure

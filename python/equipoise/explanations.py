@@ -29,7 +29,7 @@ class Explanation(_Said):
 
     warnings: list[str] = member("warnings", "What to beware of.")
     cost: Optional[dict[str, Any]] = member(
-        "cost", "How long :func:`basin` takes, if it was asked for: measured on a part of it, in seconds."
+        "cost", "How long :func:`basin` takes, with ``cost=True``: measured on a part of it, in seconds."
     )
 
     @property

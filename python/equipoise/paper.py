@@ -65,7 +65,7 @@ def reproduce(
         As for :func:`basin`.
     """
     if not what:
-        raise ValueError(f"reproduce() needs to be told what: {', '.join(_core.reproducible())}")
+        raise ValueError(f"reproduce() needs the name of a part: {', '.join(_core.reproducible())}")
     for entry in what:
         if not isinstance(entry, str):
             refuse("what", entry, "one of reproducible()")

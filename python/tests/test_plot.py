@@ -399,7 +399,7 @@ def test_a_trajectory_marks_ramp_critical_speed_and_release(spin_up):
     assert ramp[:, 0].min() == 0.0 and ramp[:, 0].max() == pytest.approx(60.0, abs=step)
     upright = {line.get_label(): line.get_xdata()[0] for line in ax.get_lines()[1:]}
     assert upright["critical speed"] == pytest.approx(60.0 / 2.4, rel=1e-6)  # linear in time: exact
-    assert upright["balls let go"] == pytest.approx(60.0, abs=step)
+    assert upright["balls released"] == pytest.approx(60.0, abs=step)
 
 
 def test_ball_angles_stand_below(spin_up):

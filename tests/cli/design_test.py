@@ -53,7 +53,7 @@ class Design(Case):
         self.assertGreater(share["low"], told["before"]["objectives"]["balanced"]["high"])
         self.assertEqual(set(told["margins"]), {"speed.speeds[1]", "speed.times[1]", "speed.times[2]", "release.time"})
         self.assertEqual([float(row["balanced"]) for row in rows_of(table)], [share["value"]])
-        for words in ("The chosen design", "How far each may be off", "balls let go"):
+        for words in ("The chosen design", "How far each may vary", "balls released"):
             self.assertIn(words, text_of(page))
         self.assertIn("</svg>", text_of(picture))
         self.assertIn("design", run("inspect", file).stdout)

@@ -84,7 +84,7 @@ class GoingOn(Case):
             if done.returncode == 0:
                 return cut
             self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
-            goes_on = "the same command goes on from " + self.parts in done.stderr
+            goes_on = "the same command resumes from " + self.parts in done.stderr
             self.assertTrue(goes_on or not kept, "what was kept is lost: " + done.stderr)
             kept = goes_on
             seconds *= 1.3  # a slow or busy machine may have nothing to keep in time

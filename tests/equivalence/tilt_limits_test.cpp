@@ -244,7 +244,7 @@ TEST(TiltPages, SayWhereTheShaftIs) {
   EXPECT_NE(told.find("at the bearing where it is largest"), std::string::npos);
   EXPECT_NE(told.find("forward whirl: "), std::string::npos);
   EXPECT_NE(told.find("static unbalance "), std::string::npos);
-  EXPECT_NE(told.find("The model: a rigid rotor that tilts"), std::string::npos);
+  EXPECT_NE(told.find("The model: a rigid tilting rotor"), std::string::npos);
   EXPECT_EQ(told.find("a rotor in a plane"), std::string::npos);
   EXPECT_EQ(told.find("The centre is "), std::string::npos);
   EXPECT_NE(plain.find("The centre is "), std::string::npos);

@@ -307,7 +307,7 @@ TEST(TiltCharts, HaveThePublishedBifurcations) {
   EXPECT_NEAR(nearest->x, 3.3869559, 2e-3);
   EXPECT_NEAR(nearest->frequency, 0.888898, 1e-3);
   EXPECT_LT(nearest->lyapunov, 0.0);
-  EXPECT_NE(result_text(chart, {}).find("all balls of one plane stand in line"), std::string::npos);
+  EXPECT_NE(result_text(chart, {}).find("all balls of one plane are in line"), std::string::npos);
   for (const BalanceBoundary& b : chart.plane.own->boundaries)
     if (!b.along_x && !b.upwards) {
       EXPECT_EQ(b.change, BalanceBoundary::Change::existence);

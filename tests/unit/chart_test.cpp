@@ -310,8 +310,8 @@ TEST(Chart, TheLineWhereBalanceEndsIsWhereTheBallsJustReach) {
     return p.kind == SpecialKind::bogdanov_takens && std::fabs(p.x - 1.0 / std::sqrt(1.1)) < 1e-6 &&
            std::fabs(p.y - 0.1) < 1e-9;
   }));
-  EXPECT_TRUE(holds(chart_answer(chart), "all balls stand in line"));
-  EXPECT_FALSE(holds(chart_answer(wide_chart()), "all balls stand in line"));
+  EXPECT_TRUE(holds(chart_answer(chart), "all balls are in line"));
+  EXPECT_FALSE(holds(chart_answer(wide_chart()), "all balls are in line"));
 }
 
 TEST(Chart, TheProvedBoxesCoverThePlaneAndAgreeWithEigenvalues) {

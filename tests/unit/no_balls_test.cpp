@@ -137,7 +137,8 @@ TEST(NoBalls, ARotorThatCoastsComesToNoSteadyMotion) {
         with(bare.substr(0, bare.find("[speed]")), "damping = 0.5", "damping = 0.2\ninertia = 0.5");
     return basin_text(basin(parse_study(driven + "[speed]\nprofile = \"torque\"\ntorque = { " + torque + " }\n", "s")));
   };
-  const std::string words = "Without balls the rotor comes to no steady motion: figures at the end are the last seen.";
+  const std::string words =
+      "Without balls the rotor never settles into a steady motion: figures at the end are the last seen.";
   EXPECT_TRUE(holds(text_of("constant = 0.12, slope = -0.04, until = 30.0"), words));
   EXPECT_FALSE(holds(text_of("constant = 0.12, slope = -0.04"), words));
 }

@@ -32,7 +32,7 @@ TEST(CriticalSpeedRule, KnowsGravityAndSupportsThatDiffer) {
   const Explanation e = explained(machine, {"rotor.gravity='9.81 m/s2'", "rotor.stiffness=['40 kN/m', '56 kN/m']"});
   const RuleOfThumb& r = rule(e, "critical_speed");
   EXPECT_DOUBLE_EQ(figure(r, "critical speed with the balls, x"), std::sqrt(40.0 / 48.0 / 1.01));
-  EXPECT_DOUBLE_EQ(figure(r, "balls shake twice a turn by their weight, resonance at"),
+  EXPECT_DOUBLE_EQ(figure(r, "their weight makes balls vibrate twice per turn, resonance at"),
                    0.5 * std::sqrt(40.0 / 48.0 / 1.01));
   EXPECT_DOUBLE_EQ(figure(r, "run above"), std::sqrt(2.0 * 56.0 / 48.0 / 1.01));
   EXPECT_EQ(r.kept, true);

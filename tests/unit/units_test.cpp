@@ -108,9 +108,9 @@ TEST(Units, BeyondAsciiAreWorthTheSame) {
     EXPECT_DOUBLE_EQ(read.value, si) << text;
   }
   EXPECT_EQ(measure("3 \u03A9", {Dimension::length}).problem,
-            "\"\u03A9\" is no known unit; must be a length, such as \"0.2 mm\"");
+            "\"\u03A9\" is not a known unit; must be a length, such as \"0.2 mm\"");
   EXPECT_EQ(measure("3 \u00B5", {Dimension::length}).problem,
-            "\"\u00B5\" is no known unit; must be a length, such as \"0.2 mm\"");
+            "\"\u00B5\" is not a known unit; must be a length, such as \"0.2 mm\"");
   for (const char* text : {"3 \u00B2", "3 m\u00B2\u00B2", "3 m\u207B", "3 m\xB2", "3 \xB5m", "3 10\u00B2 m",
                            "3 \u00D7 m", "3 \u0085", "3 \u00B7", "3 \u00B0C"})
     EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
@@ -169,11 +169,11 @@ TEST(Units, SayWhatIsWrong) {
   EXPECT_EQ(problem("kg"), "does not begin with a number; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem(""), "does not begin with a number; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 mm"), "\"mm\" is a unit of something else; must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(problem("12 stones"), "\"stones\" is no known unit; must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(problem("12 KG"), "\"KG\" is no known unit (did you mean \"kg\"?); must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 stones"), "\"stones\" is not a known unit; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 KG"), "\"KG\" is not a known unit (did you mean \"kg\"?); must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 degC"), "\"degC\" is a unit of something else; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(measure("3 rpn", {Dimension::speed}).problem,
-            "\"rpn\" is no known unit (did you mean \"rpm\"?); must be a speed of rotation, such as \"3000 rpm\"");
+            "\"rpn\" is not a known unit (did you mean \"rpm\"?); must be a speed of rotation, such as \"3000 rpm\"");
   EXPECT_EQ(problem("12 kg\n"), "is not a number with a unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");

@@ -83,7 +83,7 @@ class Calls(unittest.TestCase):
     def test_a_unit_that_the_table_lacks_is_refused_by_name(self):
         with self.assertRaises(EngineError) as raised:
             self.call("check", read(DRIVE), [["rotor.mass", "3 stone"]])
-        self.assertIn('"stone" is no known unit', raised.exception.parts["message"])
+        self.assertIn('"stone" is not a known unit', raised.exception.parts["message"])
         self.assertEqual(raised.exception.parts["key"], "rotor.mass")
 
     def test_overrides_are_in_the_text_that_comes_back(self):

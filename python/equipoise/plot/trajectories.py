@@ -115,7 +115,7 @@ def _mark_speed(ax: Axes, run: Trajectory, time: parts.Array) -> list[Any]:
     # Balls are released when they begin to move. Those at rest at t = 0 are still free: they move at the next time.
     first = int(np.argmax(np.any(np.asarray(run.phi_dot, dtype=float) != 0.0, axis=1))) if time.size else 0
     if first > 1:
-        handles.append(ax.axvline(time[first - 1], color=parts.QUIET, linestyle="-.", linewidth=1.2, label="balls let go"))
+        handles.append(ax.axvline(time[first - 1], color=parts.QUIET, linestyle="-.", linewidth=1.2, label="balls released"))
     return handles
 
 

@@ -117,14 +117,14 @@ void refuse_if_derived(const Study& study, const std::string& key) {
     throw InputError(
         study.name, key, "",
         "is a key of data sheets; this command varies what they become, such as rotor.eccentricity, balancer.mass and "
-        "balancer.drag; \"equipoise sweep\" reads the whole study anew for each value, and takes any key");
+        "balancer.drag; \"equipoise sweep\" reads the whole study again for each value, and takes any key");
   if (!study.parameters.tilts()) return;
   const auto is = [&](const char* name) { return key == name; };
   if (study.parameters.tilt.misalignment != 0.0 &&
       (is("rotor.tilt.transverse_inertia") || is("rotor.tilt.polar_inertia")))
     throw InputError(study.name, key, "",
                      "here only the inertia would change and the angle of the couple unbalance stay, so that another "
-                     "couple would act; \"equipoise sweep\" reads the whole study anew for each value");
+                     "couple would act; \"equipoise sweep\" reads the whole study again for each value");
   if (!study.bearings.empty() && (is("rotor.damping") || is("rotor.stiffness")))
     throw InputError(study.name, key, "", study::bearings_state_it);
 }

@@ -28,7 +28,7 @@ using study::Dimension;
 constexpr const char* forms =
     "must be [low, high], { range = [low, high], scale = \"log\", digits = 2 }, { range = [low, high], step = STEP }, "
     "{ choices = [..] }, { stock = [low, high] }, or for \"speed\" { points = 2, until = 500.0, range = [0.0, 3.0], "
-    "slope = 0.05 }; keys of a study stand in quotes";
+    "slope = 0.05 }; put a study's keys in quotes";
 
 // Properties of a machine; how starts are drawn or decided is not the designer's choice.
 constexpr std::array<std::string_view, 5> tables{"rotor", "balancer", "speed", "release", "initial"};
@@ -99,7 +99,7 @@ std::vector<double> of_digits(const DesignEntry& entry, double digits, double lo
       if (k * step >= from * (1.0 - rounded) && k * step <= high * (1.0 + rounded))
         numbers.push_back(k * step + 0.0);  // not -0
   }
-  if (static_cast<double>(numbers.size()) > most_allowed) entry.fail("has too many values with so many digits");
+  if (static_cast<double>(numbers.size()) > most_allowed) entry.fail("has too many values with that number of digits");
   return numbers;
 }
 

@@ -24,7 +24,7 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
 void take_given_starts(const BasinOptions& options, Study& study) {
   check_takes_starts(study);
   if (options.half_width > 0.0)
-    throw InputError("starts of one's own", "half_width", fmt::format("{}", options.half_width),
+    throw InputError("starts of your own", "half_width", fmt::format("{}", options.half_width),
                      "all of them are followed; must be 0");
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   if (method != SamplingMethod::random)

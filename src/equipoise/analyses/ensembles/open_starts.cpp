@@ -37,8 +37,8 @@ void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt&
   const std::vector<UndecidedEnd> ends = many || may_hold ? undecided() : std::vector<UndecidedEnd>{};
   const std::string clamped = clamped_text(ends), clamped_stalled = may_hold ? clamped_text(stalled()) : "";
   if (many) add(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result.study, horizon, ends)));
-  if (!many && !clamped.empty()) add(fmt::format("balls of undecided starts are never let go: {}", clamped));
-  if (!clamped_stalled.empty()) add(fmt::format("balls of stalled starts are never let go: {}", clamped_stalled));
+  if (!many && !clamped.empty()) add(fmt::format("balls of undecided starts are never released: {}", clamped));
+  if (!clamped_stalled.empty()) add(fmt::format("balls of stalled starts are never released: {}", clamped_stalled));
 }
 
 }  // namespace equipoise

@@ -17,7 +17,7 @@ namespace {
 void check_given(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
   check_takes_starts(study);
   if (index >= given.size())
-    throw InputError("starts of one's own", "index", fmt::format("{}", index),
+    throw InputError("starts of your own", "index", fmt::format("{}", index),
                      fmt::format("must be below {}, their number", given.size()));
   check_given_starts(study, {&given[index], 1});
 }

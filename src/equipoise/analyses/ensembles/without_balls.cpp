@@ -141,7 +141,7 @@ void refuse_starts(const Study& study, const BasinOptions& options) {
                      fmt::format("leaves no starts for {}; must be 1 to {} with that", what, model::max_balls));
   };
   if (!options.output.empty()) refuse("an output file");
-  if (!options.initial.empty()) refuse("starts of one's own");
+  if (!options.initial.empty()) refuse("starts of your own");
   if (options.half_width > 0.0) refuse("a half-width");
   if (study.sampling.method == SamplingMethod::grid) refuse("sampling.method = \"grid\"");
 }

@@ -16,7 +16,7 @@ AttractorSearchCache mapped_search(const Mapper& mapper, const Study& study, con
   };
   if (!study.uncertain.empty())
     reject("was made for one rotor, and this study draws a rotor for every start; must be left out");
-  if (study.system().coasts()) reject("starts of a rotor that coasts are followed without a search; must be left out");
+  if (study.system().coasts()) reject("starts of a coasting rotor are followed without a search; must be left out");
   const std::string there = attractor_search_subject(mapper.study()), here = attractor_search_subject(study);
   if (there != here)
     reject(fmt::format("of another search: {}; must be a mapper of the same rotor, final speed and [numerics]",

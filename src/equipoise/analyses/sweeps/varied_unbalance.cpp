@@ -61,7 +61,7 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
   };
   if (varies(study, axes, about_planes))
     refuse(
-        "an unbalance of this rotor that tilts is drawn or varied besides; must be another key, such as --of {} with "
+        "an unbalance of this tilting rotor is also drawn or varied; must be another key, such as --of {} with "
         "its range, --between LOW:HIGH");
   const model::Parameters& p = study.parameters;
   if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0)

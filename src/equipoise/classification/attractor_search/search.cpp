@@ -141,7 +141,7 @@ std::vector<Fate> Search::fates_of(const std::vector<double>& states, const std:
     if (!follow_windows(*this, states, own, rule, longest, fates, nullptr)) fates.assign(count, {});
     return fates;
   };
-  return noted("fates by windows", follow_all,
+  return noted("outcomes by windows", follow_all,
                [&](const std::vector<Fate>& fates) { return fates.size() * system.dimension() == states.size(); });
 }
 

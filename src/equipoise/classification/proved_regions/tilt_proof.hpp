@@ -7,7 +7,7 @@
 
 namespace equipoise {
 
-inline constexpr char two_planes_of_two[] = "proofs about a rotor that tilts are for two balls in each of two planes";
+inline constexpr char two_planes_of_two[] = "for tilting rotors, only two balls in each of two planes can be proved";
 inline constexpr char plane_with_nothing_to_cancel[] =
     "a plane whose balls have nothing to cancel has a continuum of balanced states; proofs are for isolated ones";
 

@@ -114,7 +114,7 @@ void check_tilting(const Study& study) {
            "balls of a rotor with rotor.tilt that a motor drives are free from the beginning, without [release]");
   if (study.speed.driven() && study.system().coasts())
     refuse("speed.torque", "0 in the end",
-           "with rotor.tilt starts of a rotor that coasts in the end cannot be decided (simulate follows one)");
+           "with rotor.tilt, starts of a rotor that coasts in the end cannot be decided (simulate follows one)");
 }
 
 // Throws InputError if the spin-up with clamped balls is too long to look for peaks in it.
@@ -124,7 +124,7 @@ void check_watchable(const Study& study) {
   if (points <= most_clamped_grid_points) return;
   throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
                    fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
-                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
+                               "about t = {:.3g}, or a study without [limits], without its transients",
                                release, release * (most_clamped_grid_points / points)));
 }
 

@@ -61,9 +61,10 @@ void check_cost(const Study& study) {
   if (cost.bearable()) return;
   throw InputError(
       study.name, cost.by_drag ? "balancer.drag" : "rotor.damping", fmt::format("{:.6g}", cost.cause),
-      fmt::format("makes the equations stiff: about {:.1g} steps a start, {:.2g} units of time with {:.3g} steps each; "
-                  "basin and attractors take up to {:.3g} here (or a shorter numerics.horizon)",
-                  cost.steps, cost.time, cost.fastest / stable_to, cost.allowed));
+      fmt::format(
+          "makes the equations stiff: about {:.1g} steps per start, {:.2g} units of time with {:.3g} steps each; "
+          "basin and attractors take up to {:.3g} here (or a shorter numerics.horizon)",
+          cost.steps, cost.time, cost.fastest / stable_to, cost.allowed));
 }
 
 }  // namespace equipoise

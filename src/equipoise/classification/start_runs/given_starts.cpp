@@ -51,7 +51,7 @@ void check_start(const Study& study, const InitialState& s, std::size_t number) 
   if (prescribed && model::depends_on_rotor_angle(p))
     as_common(rotor[0], "where the rotor turns as prescribed, and its angle matters");
   for (std::size_t k = 1; clamped && prescribed && k < std::size(rotor); ++k)
-    as_common(rotor[k], "where the rotor turns as prescribed until the balls are let go");
+    as_common(rotor[k], "if the rotor turns as prescribed until the balls are released");
   for (int i = 0; clamped && i < p.balls; ++i)
     require(s.phi_dot[i] == 0.0, "phi_dot", i, s.phi_dot[i], "must be 0: the balls are clamped until their release");
   require(!model::overlap(p, s.phi.data()), "phi", of_rotor, s.phi[0],
@@ -63,7 +63,7 @@ void check_start(const Study& study, const InitialState& s, std::size_t number) 
 void check_takes_starts(const Study& study) {
   if (!study.uncertain.empty())
     throw InputError(study.name, study.uncertain.values.front().key, "",
-                     "is uncertain; starts of one's own need a study without uncertain values");
+                     "is uncertain; starts of your own need a study without uncertain values");
 }
 
 void check_given_starts(const Study& study, std::span<const InitialState> given) {

@@ -152,7 +152,7 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
                                                               "{} creeping, all balls nearly at rest",
                                                               "{} wandering chaotically",
                                                               "{} in motions that do not repeat yet",
-                                                              "{} whose balls are never let go",
+                                                              "{} whose balls are never released",
                                                               "{} whose motor speeds the rotor up without end",
                                                               "{} whose rotor still speeds up",
                                                               "{} whose rotor still changes its mean speed",

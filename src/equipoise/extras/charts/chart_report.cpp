@@ -52,28 +52,28 @@ std::string loss_sentences(const BifurcationChart& chart) {
   if (loss.soft > 0.0 && loss.abrupt > 0.0)
     sentences.push_back(fmt::format(
         "Balance loses its stability softly along {} of the line, where beyond it the balls swing about their places, "
-        "little at first and the more the farther from it. Along {} it does so abruptly: beyond the line no small "
+        "little at first, and more with the distance from it. Along {} it does so abruptly: beyond the line no small "
         "swing is left, and the balls leave for another motion; shortly before it a push may be enough.",
         whole_percent(loss.soft / loss.length()), whole_percent(loss.abrupt / loss.length())));
   else if (loss.soft > 0.0)
     sentences.push_back(
         "Where balance loses its stability it does so softly: beyond the line the balls swing about their places, "
-        "little at first and the more the farther from it.");
+        "little at first, and more with the distance from it.");
   else if (loss.abrupt > 0.0)
     sentences.push_back(
         "Where balance loses its stability it does so abruptly: beyond the line no small swing is left, and the balls "
         "leave for another motion; shortly before it a push may be enough.");
   else if (loss.unknown > 0.0)
     sentences.push_back(
-        "Where balance loses its stability the balls begin to swing; whether softly or abruptly is not told of "
+        "Where balance loses its stability the balls begin to swing; whether softly or abruptly is not known for "
         "balanced states that form a continuum, nor under a motor.");
   if (loss.real > 0.0) sentences.push_back("On another line balance loses its stability without a swing.");
   if (sentences.empty()) sentences.push_back("No line on which a stable balance loses its stability was found.");
   const auto ends = [](const ChartCurve& c) { return c.kind == CurveKind::existence; };
   if (std::any_of(chart.curves.begin(), chart.curves.end(), ends))
     sentences.push_back(chart.plane.study.parameters.tilts()
-                            ? "On the line where balance ends all balls of one plane stand in line, and states merge."
-                            : "On the line where balance ends all balls stand in line, and their states merge.");
+                            ? "On the line where balance ends, all balls of one plane are in line, and states merge."
+                            : "On the line where balance ends, all balls are in line, and their states merge.");
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
@@ -241,11 +241,11 @@ Brief regions_list(const BifurcationChart& chart) {
 // What the list leaves out, and what regions do not show.
 std::string region_notes(const BifurcationChart& chart) {
   std::string text;
-  if (!chart.no_locked.empty()) text += fmt::format("Of other states at rest nothing is told: {}.\n", chart.no_locked);
+  if (!chart.no_locked.empty()) text += fmt::format("Other equilibria were not analysed: {}.\n", chart.no_locked);
   if (chart.regions.empty()) return text;
   if (const std::size_t more = chart.regions.size() - told_regions(chart); more > 0)
     text += fmt::format("Smaller regions are left out ({}); --json has them.\n", more);
-  return text + "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
+  return text + "Regions list equilibria found on the grid, not periodic motions.\n";
 }
 
 std::string chart_notes(const BifurcationChart& chart) {
@@ -264,7 +264,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (!chart.not_proved.empty()) text += fmt::format("Nothing is proved: {}.\n", chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(BalanceKind::open) > chart.undecided)
     text += "More boxes (--boxes) would decide more of the plane.\n";
-  if (!chart.no_cycles.empty()) text += fmt::format("Of cycles nothing is told: {}.\n", chart.no_cycles);
+  if (!chart.no_cycles.empty()) text += fmt::format("Cycles were not analysed: {}.\n", chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
   if (chart.cycles_left > 0)
     text += fmt::format(

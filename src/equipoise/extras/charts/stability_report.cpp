@@ -84,7 +84,7 @@ std::string continuum_sentence(const StabilityPlane& plane, const ContinuumPart&
   const PageQuantities quantities(plane.study);
   const bool all = part.stable == part.drawn;
   std::string text = part.slowest_rate == 0.0 ? "all are unstable"
-                     : part.stable == 0       ? "all are unstable, though stable ones were found beside them"
+                     : part.stable == 0       ? "all are unstable, though stable ones were found next to them"
                                               : fmt::format("{} are stable", all ? "all" : std::to_string(part.stable));
   if (part.stable > 0)
     text += fmt::format(": their slowest deviations fall to 1/e in {}",

@@ -163,7 +163,7 @@ class CycleSearch : ChartSearch {
 
 void add_cycles(const PlaneStudies& plane, const RunOptions& run, BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
-  if (system && !system->smooth()) chart.no_cycles = "balls that touch or stick make them break off";
+  if (system && !system->smooth()) chart.no_cycles = "touching or sticking balls break them off";
   chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};
   if (chart.no_cycles.empty()) CycleSearch(plane, run, chart).run();
 }

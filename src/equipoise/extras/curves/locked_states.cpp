@@ -214,7 +214,7 @@ std::string locked_states_lack(const model::System& system) {
   const model::Parameters& p = system.parameters();
   if (system.tilts() || !p.race_is_centred() || !system.autonomous())
     return "they are known of rotors that do not tilt, with a centred race, equal supports and no gravity";
-  if (p.balls_collide() || p.balls_stick()) return "balls that touch or stick may rest anywhere";
+  if (p.balls_collide() || p.balls_stick()) return "touching or sticking balls may rest anywhere";
   if (system.coasts()) return "without a drive that lasts no speed is kept";
   if (locked_kinds(p).empty()) return "unlike balls can be divided in too many ways";
   return "";

@@ -181,7 +181,7 @@ std::string refusal(const model::Parameters& p, double speed) {
   if (!p.isotropic()) return "proofs need supports that are equal in x and y";
   if (p.gravity != 0.0) return "proofs need gravity 0";
   if (!p.race_is_centred()) return "proofs about a continuum need a centred race";
-  if (p.balls_collide() || p.balls_stick()) return "proofs need balls that pass each other and do not stick";
+  if (p.balls_collide() || p.balls_stick()) return "proofs need balls that pass each other freely and do not stick";
   if (!std::isfinite(speed)) return speed_is_finite;
   return "";
 }

@@ -114,7 +114,7 @@ void verdicts(const Reproduction& r, Document& d) {
   if (r.tables.empty()) return;
   d.add(Heading{2, "Verdict", "verdict"});
   d.add(Paragraph{fmt::format("{} of {} judged cells agree with the printed ones, {} differ{}. {} cells "
-                              "are not comparable, with the reason beside each.",
+                              "are not comparable, with the reason next to each.",
                               all.agreeing, all.agreeing + all.differing, all.differing, all.differing == 1 ? "s" : "",
                               all.not_comparable),
                   all.differing > 0 ? Tone::bad : Tone::good});
@@ -173,12 +173,12 @@ void table_7_evidence(const Reproduction& r, Document& d) {
                                            percentage(lead.balanced), interval(lead.balanced)}));
     table.caption = fmt::format(
         "Best lead: kinematic law, balls released when the ramp reaches 2.2, balanced if r < 0.00134 from t = 630 to "
-        "730; computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.",
+        "730; computed again from {} starts per row. Release, time and tolerance were chosen by these very numbers.",
         r.table_7_lead.front().balanced.total);
     d.add(std::move(table));
   }
   DocumentTable table{
-      {"protocol", "balanced if", "shares, %", "starts a row", "χ²", "free cells"}, {}, "", true, {3, 5}};
+      {"protocol", "balanced if", "shares, %", "starts per row", "χ²", "free cells"}, {}, "", true, {3, 5}};
   for (const Table7Reading& reading : table_7_readings())
     table.rows.push_back(row_of("tttnnn", {reading.begin(), reading.end()}));
   table.caption =
@@ -248,7 +248,7 @@ void open_questions(const Reproduction& r, Document& d) {
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", "The parameter plane (λ, μ), φ = (−π/2, π/2)");
   d.add(Heading{3, "Basins in the whole eight-dimensional state space", "future-box"});
   d.add(
-      Paragraph{"Shares of starts uniform in the box |x|, |y| ≤ 0.2, |x'|, |y'| ≤ 0.5, |φ_i'| ≤ 2.4, any φ_i, beside "
+      Paragraph{"Shares of starts uniform in the box |x|, |y| ≤ 0.2, |x'|, |y'| ≤ 0.5, |φ_i'| ≤ 2.4, any φ_i, next to "
                 "those of starts at rest. The box takes in every motion that starts at rest come to; the shares depend "
                 "on it, since the whole space has no uniform distribution."});
   d.add(drawn({plot_of_box(*r.open)}, "Balanced share of starts in the box and at rest; intervals: 95 %."));
@@ -303,7 +303,7 @@ void settings(const Reproduction& r, const std::string& explorer, Document& d) {
   d.add(Paragraph{
       "Two equal balls, μ = 0.05 each, λ = 0.01, ζ = 0.5, β = 0.05 unless said; starts at rest in the rotating frame "
       "with ball angles uniform on [0, 2π). \"Balanced\" means that a start entered a level set of a Lyapunov function "
-      "around a stable balanced state; a start that comes to no attractor by the horizon is undecided. All lengths are "
+      "around a stable balanced state; a start that reaches no attractor by the horizon is undecided. All lengths are "
       "in race radii R, times in 1/ω_c, speeds in critical speeds ω_c."});
   DocumentTable table{
       {"study", "law", "starts", "undecided (95 %)", "lost", "seed", "CPU s", "command"}, {}, "", true, {4, 5}};
@@ -327,7 +327,7 @@ Document reproduction_document(const Reproduction& r, const std::string& explore
   Document d{"Wright and Peng (2019), computed again", {}};
   d.add(
       Paragraph{"With what probability does an automatic ball balancer balance its rotor? Every number and figure of "
-                "the paper that asked this of a rotor whose speed varies, set beside the same computed by Equipoise."});
+                "the paper that asked this of a rotor whose speed varies, next to the same computed by Equipoise."});
   if (r.partial) d.add(Paragraph{"PARTIAL: stopped before all was done.", Tone::open});
   verdicts(r, d);
   laws(r, d);

@@ -250,7 +250,7 @@ DesignVerdict design_verdict(const DesignResult& r) {
   const std::string partial = r.partial ? "PARTIAL: " : "";
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
     return {design_answer(r), "No candidate was followed to its end.",
-            "Not known. A longer --within, or fewer values to choose from, may tell more."};
+            "Not known. A longer --within, or fewer values to choose from, may show more."};
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
   const std::string things = best.as_it_is ? design_as_given : things_chosen(r.study, best.settings);
@@ -268,7 +268,7 @@ DesignVerdict design_verdict(const DesignResult& r) {
   if (r.margins.empty()) {
     verdict.margins = best.as_it_is && !r.partial
                           ? "The study states none of these numbers, so that none was changed alone."
-                          : "How far each number may be off was not worked out: time ran out.";
+                          : "Tolerances were not worked out: time ran out.";
   } else {
     const std::string words = margins_words(r);
     verdict.margins = words.empty() ? "Each number was changed alone: no value tried fails what the design keeps."

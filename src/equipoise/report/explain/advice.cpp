@@ -90,7 +90,8 @@ RuleOfThumb critical_speeds(const Explanation& e) {
       add(rule, "", "largest vibration" + direction + ", of held balls", *peak, Dimension::speed);
   }
   if (p.gravity > 0.0)
-    add(rule, "", "balls shake twice a turn by their weight, resonance at", 0.5 * lowest(critical), Dimension::speed);
+    add(rule, "", "their weight makes balls vibrate twice per turn, resonance at", 0.5 * lowest(critical),
+        Dimension::speed);
   const double least = rules::quiet_speed(p);
   add(rule, "", "run above", least, Dimension::speed);
   if (!e.speed) {

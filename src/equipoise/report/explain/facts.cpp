@@ -171,7 +171,7 @@ class Facts {
     add("without balls", by_direction(v.displacement, Dimension::length) +
                              " amplitude of the shaft at the centre of mass, at the final speed");
     if (!t.at_bearings.empty())
-      go_on(fmt::format("{} at the bearings, at the farthest", each(t.at_bearings, Dimension::length)));
+      go_on(fmt::format("{} at the bearings, at the largest", each(t.at_bearings, Dimension::length)));
     if (!t.forces.empty())
       go_on(fmt::format("{} of force at the bearings, at the largest", each(t.forces, Dimension::force)));
     go_on(by_direction(v.force, Dimension::force) + " amplitude of the force on all supports together" +

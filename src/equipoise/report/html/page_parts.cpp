@@ -99,7 +99,7 @@ std::string starts_words(const Study& study, const std::vector<std::string>& dra
   const std::vector<std::string> instead = drawn_instead(study);
   return fmt::format("at {} ball angles{}{}, seed {}{}", sampling_method_names[method],
                      study.sampling.box.empty() ? "" : " and in the box of initial states",
-                     drawn.empty() ? "" : fmt::format(", with {} drawn anew for each", fmt::join(drawn, ", ")),
+                     drawn.empty() ? "" : fmt::format(", with {} drawn for each", fmt::join(drawn, ", ")),
                      study.sampling.seed,
                      instead.empty() ? "" : fmt::format(" (not from {} of the study)", fmt::join(instead, ", ")));
 }
@@ -122,7 +122,7 @@ void add_origin(Document& document, const Study& study, const std::string& words
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
     text += fmt::format(" Speed law: {}.", name_of(study.speed.law));
   text += fmt::format(" Intervals hold with 95 % confidence. The model: {}; equipoise {}{}{}.",
-                      study.parameters.tilts() ? "a rigid rotor that tilts" : "a rotor in a plane", version_string,
+                      study.parameters.tilts() ? "a rigid tilting rotor" : "a rotor in a plane", version_string,
                       computed.empty() ? "" : "; ", computed);
   document.add(Heading{2, "How it was computed", ""});
   document.add(Paragraph{text});

@@ -92,7 +92,7 @@ std::vector<Plot> spin_up_plots(const DesignResult& r) {
     for (const DesignSetting& s : best->settings) {
       if (s.key != "release.time") continue;
       const double t = leading_number(s.value);
-      plot.series.push_back({"balls let go", light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}});
+      plot.series.push_back({"balls released", light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}});
     }
     return {plot};
   }

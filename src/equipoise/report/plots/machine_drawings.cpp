@@ -259,11 +259,11 @@ DrawingRow ends_drawing(const MachinePage& page) {
           ? fmt::format(
                 "Bars: shares of starts with 95 % intervals. Circles: left, the balls in their races as seen from "
                 "the turning rotor, that with the largest place along the shaft outermost, with arrows where balls "
-                "move; right, the path of the shaft {}, as seen from beside the machine, all to one scale",
+                "move; right, the path of the shaft {}, as seen from the side of the machine, all to one scale",
                 study.bearings.empty() ? "at the centre of mass" : "at the outermost bearing that moves more")
           : "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the "
             "turning rotor, with a wedge at its heavy side and arrows where balls move; right, the path of the "
-            "rotor's centre as seen from beside the machine, all to one scale";
+            "rotor's centre as seen from the side of the machine, all to one scale";
   row.caption += study.limits.displacement ? ", the limit dashed if it lies within the drawing." : ".";
   if (page.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page.motions_left_out);
   if (page.starts_drawn < page.basin.starts)

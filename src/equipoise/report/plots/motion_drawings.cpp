@@ -129,8 +129,8 @@ void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
   const model::Parameters& p = page.basin.study.parameters;
   Svg svg(330.0, 170.0,
-          motion.name + (p.tilts() ? ": balls in their races and the way of the shaft"
-                                   : ": balls in the race and the way of the rotor's centre"));
+          motion.name + (p.tilts() ? ": balls in their races and the path of the shaft"
+                                   : ": balls in the race and the path of the rotor's centre"));
   draw_race(svg, p);
   draw_balls(svg, page, motion);
   draw_centre(svg, page, motion);

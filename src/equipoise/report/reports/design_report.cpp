@@ -213,7 +213,7 @@ void add_chosen(Document& document, const DesignResult& r) {
     document.add(front_table(r));
   }
   if (!r.margins.empty()) {
-    document.add(Heading{2, "How far each may be off", ""});
+    document.add(Heading{2, "How far each may vary", ""});
     document.add(margin_table(r));
     add_drawings(document, r, margin_plots(r, 4), "What becomes of it as one number moves and all others stay.", false);
   }
@@ -232,7 +232,7 @@ Document document_of(const DesignResult& r) {
   if (r.chosen) add_chosen(document, r);
   if (std::any_of(r.history.begin(), r.history.end(),
                   [&](const DesignStep& step) { return step.value != r.history.front().value; }))
-    add_drawings(document, r, history_plots(r), "The best that was known after so many trajectories.");
+    add_drawings(document, r, history_plots(r), "The best design known after each number of trajectories.");
   if (!r.best_study.empty()) document.add(Listing{"The chosen design as a study", r.best_study});
   std::string words =
       fmt::format("{} candidate{} by {}, all on the same starts {}; {} trajectories of {}.", r.candidates,

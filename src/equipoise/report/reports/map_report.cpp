@@ -107,7 +107,7 @@ Document document_of(const BasinSlice& map) {
   if (!map.complete)
     document.add(Paragraph{
         any ? fmt::format("PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel "
-                          "comes to an outcome, the most if all do.",
+                          "reaches an outcome, the most if all do.",
                           open_pixels(map), counted_pixels(map))
             : fmt::format("PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.",
                           map.pixels),

@@ -324,8 +324,9 @@ std::vector<std::string> not_steady_words(const OneBodyRuns& body, const char* h
                         ? ": it ends at " + engineering(study.scales, *body.figures.mean_speed, study::Dimension::speed)
                         : ""));
   if (body.open > 0)
-    words.push_back(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen.", how,
-                                of_runs(body.open, body)));
+    words.push_back(
+        fmt::format("{} the rotor never settles into a steady motion{}: figures at the end are the last seen.", how,
+                    of_runs(body.open, body)));
   if (body.lost > 0) words.push_back(fmt::format("{} the rotor's motion is lost{}.", how, of_runs(body.lost, body)));
   return words;
 }

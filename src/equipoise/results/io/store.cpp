@@ -81,7 +81,7 @@ Journal::Record Store::append(const Journal::Record& record, const void* payload
   try {
     return journal_->append(record, payload, bytes);
   } catch (const RunError& e) {
-    throw RunError(fmt::format("{}; what was computed before is kept, and the same command goes on from it", e.what()));
+    throw RunError(fmt::format("{}; what was computed before is kept, and the same command resumes from it", e.what()));
   }
 }
 

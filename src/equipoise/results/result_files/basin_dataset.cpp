@@ -72,7 +72,7 @@ void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c)
     });
   };
   add("kind_left_unbalance", "1",
-      "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in M R",
+      "unbalance that this share of the starts leaves, or less, if dry friction holds the balls, in M R",
       &OutcomeShare::unbalance);
   if (c.header.scales)
     add("kind_left_balance_grade", "mm s-1", "balance quality grade of that (ISO 21940-11), at the operating speed",

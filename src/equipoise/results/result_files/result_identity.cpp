@@ -118,7 +118,7 @@ std::string results_path(const std::string& path, const std::string& allowed) {
     throw InputError("output", "", path, fmt::format("{}; must be a file that can be written", problem));
   const std::string place = resolved(path);
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
-    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
+    throw InputError("output", "", path, fmt::format("is not a regular file; {}", allowed));
   return place;
 }
 
@@ -127,7 +127,7 @@ std::string path_for_whole_results(const std::string& path) {
   if (std::filesystem::exists(unfinished))
     throw InputError(
         "output", "", path,
-        fmt::format("has unfinished results beside it, {}; must be another file, or finish those first", unfinished));
+        fmt::format("has unfinished results next to it, {}; must be another file, or finish those first", unfinished));
   return place;
 }
 

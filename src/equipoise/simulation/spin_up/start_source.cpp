@@ -24,7 +24,7 @@ namespace {
 [[noreturn]] void clamped_failed(const Study& study) {
   const bool ramp = study.speed.profile == Profile::ramp && !study.release.time && !study.release.speed;
   throw RunError(
-      fmt::format("the rotor could not be followed until the balls are let go; {} = {} may be too short or too long, "
+      fmt::format("the rotor could not be followed until the balls are released; {} = {} may be too short or too long, "
                   "or [initial] too far from rest",
                   ramp ? "speed.duration" : "release.time", ramp ? study.speed.duration : study.release_time()));
 }

@@ -22,7 +22,7 @@ namespace equipoise {
 
 namespace {
 
-constexpr char sticking_needs_events[] = "balls that stick need events, as simulate() has them; must be 0";
+constexpr char sticking_needs_events[] = "sticking balls need events, as simulate() has them; must be 0";
 namespace kernels = HWY_NAMESPACE;
 
 constexpr int most = model::largest_state;
@@ -42,7 +42,7 @@ void check_has_equations(const Study& study) {
                      "is uncertain; equations are those of one rotor: with_medians() or drawn_study()");
   if (p.balls_collide())
     refuse("balancer.contact_angle", p.contact_angle,
-           "balls that meet need events, as simulate() has them; must be 0, or contact = false");
+           "touching balls need events, as simulate() has them; must be 0, or contact = false");
   for (int i = 0; i < p.balls; ++i) {
     if (p.rolling[i] > 0.0) refuse("balancer.rolling", p.rolling[i], sticking_needs_events);
     if (p.stiction[i] > 0.0) refuse("balancer.stiction", p.stiction[i], sticking_needs_events);
@@ -81,7 +81,7 @@ struct StudyEquations::State {
   // Throws if no speed triggers the release.
   double deciding_speed() const {
     if (drive.release_speed) return *drive.release_speed;
-    throw InputError(study.name, "release.speed", "", "is not what lets the balls go; must be that of a driven rotor");
+    throw InputError(study.name, "release.speed", "", "does not release the balls; must be that of a driven rotor");
   }
 
   const model::DrivePiece& drive_at(std::size_t piece) const { return drive.pieces[drive_of[piece]]; }

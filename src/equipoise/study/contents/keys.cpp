@@ -141,7 +141,7 @@ std::vector<Key> all_keys() {
       Key{"rotor.radius_of_gyration", at<par, &P::inertia>, positive, D::length, physical, "or this, r: J = M r^2"}
           .one_way("inertia", "sqrt(J/M), such as \"60 mm\""),
       Key{"rotor.gd2", at<par, &P::inertia>, positive, D::inertia, physical,
-          "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`"}
+          "or this, GD^2 = 4 J; also as a weight times a diameter squared, `\"0.3 kgf m2\"`"}
           .or_as(D::weight_inertia, &M::gd2_of_weight)
           .one_way("inertia", "4 J, such as \"0.3 kgf m2\""),
       {"rotor.eccentricity_angle", at<par, &P::eccentricity_angle>, any, D::angle, none,
@@ -158,17 +158,17 @@ std::vector<Key> all_keys() {
           .in_units("`[\"0 N\", \"900 N m\"]`: `[k12, k22]`, or `{ x = [..], y = [..] }`, with `rotor.stiffness`; "
                     "or `bearings`"),
       Key{"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | replaceable,
-          "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"}
+          "in the same way `[c12, c22]`; with `rotor.damping` not negative in any motion"}
           .in_units("`[\"0 N s\", \"18 N m s\"]`: `[c12, c22]`, with `rotor.damping`; or `bearings`"),
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
-       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where "
+       "places of bearings along the shaft from the centre of mass, where displacements are reported, and forces where "
        "they are all supports; by default none",
        nullptr, has_bearings},
       {"rotor.tilt.bearings_stiffness", at<&Study::bearings_stiffness>, not_negative, D::stiffness, none,
        "of each bearing, or of each in X and Y in turn, in k; by default each is known if two are all supports",
        nullptr, has_bearing_supports},
       {"rotor.tilt.bearings_damping", at<&Study::bearings_damping>, not_negative, D::damping, none,
-       "likewise, in M omega_c; by default likewise", nullptr, has_bearing_supports},
+       "in M omega_c, in the same form; default: as for the stiffness", nullptr, has_bearing_supports},
       {"rotor.tilt.bearings", nowhere, any, bare, physical,
        "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
       {"rotor.tilt.unbalance", nowhere, any, bare, physical,
@@ -200,7 +200,7 @@ std::vector<Key> all_keys() {
        "along the shaft from the rotor's centre of mass; required with `rotor.tilt`"},
       {"place.name", in_each<&M::places, &M::Place::name>, any, bare, physical, "a text, for the reader"},
       {"balancer.balls", at<par, &P::balls>, counts, bare, required,
-       "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
+       "n, how many; 0: the rotor alone, for `simulate`, `basin`, `report` and `explain`"},
       Key{"balancer.race_radius", in_sheet<&M::race>, positive, D::length, physical, "R: of the circle of ball centres"}
           .one_way("race_radius", "a length greater than 0, such as \"60 mm\""),
       Key{"balancer.race_diameter", in_sheet<&M::race>, positive, D::length, physical, "or this: 2 R"}.one_way(
@@ -275,7 +275,7 @@ std::vector<Key> all_keys() {
       {"speed.until", of_ramp<&R::until>, positive, D::time, hill,
        "at least `half_time`; then along the tangent to `final`; by default when 99.9 % of `final` is reached"},
       {"speed.times", of_ramp<&R::times>, not_negative, D::time, required | points, "increasing, the first 0"},
-      {"speed.speeds", of_ramp<&R::speeds>, any, D::speed, required | points, "one a time"},
+      {"speed.speeds", of_ramp<&R::speeds>, any, D::speed, required | points, "one per time"},
       {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
       {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
       {"speed.load", nowhere, any, bare, driven, "a table: what the machine takes of the motor's torque"},
@@ -292,7 +292,7 @@ std::vector<Key> all_keys() {
       {"speed.torque.speeds", at<speed, torque, &T::speeds>, any, D::speed, required | characteristic,
        "increasing: points of the motor's curve"},
       {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve | characteristic,
-       "one a time, or one a speed"},
+       "one per time, or one per speed"},
       {"speed.torque.power", in_sheet<&M::power>, positive, D::power, nameplate,
        "rated power of an induction motor, by its nameplate"},
       {"speed.torque.rated_torque", in_sheet<&M::rated_torque>, positive, D::torque, nameplate,
@@ -320,7 +320,7 @@ std::vector<Key> all_keys() {
       {"speed.load.quadratic", at<speed, load, &Q::quadratic>, not_negative, D::torque, none,
        "torque that grows with the square of the speed, as a fan's, as it is at speed `at`"},
       {"speed.load.at", at<speed, load, &Q::at>, positive, D::speed, none,
-       "where `linear` and `quadratic` are so large"},
+       "where `linear` and `quadratic` have these values"},
       {"release.speed", at<release, &W::speed>, any, D::speed, none, "when it is first reached", "at speed"},
       {"release.time", at<release, &W::time>, not_negative, D::time, none, "at this time", "at time"},
       {"initial.psi", at<start, &I::psi>, any, D::angle, none, "of the rotor", "rotor angle"},
@@ -337,7 +337,7 @@ std::vector<Key> all_keys() {
        "ball angles", states_angles},
       {"initial.phi_dot", at<start, &I::phi_dot>, any, D::speed, none, "0 where balls are clamped at first",
        "ball rates"},
-      {"sampling.box", nowhere, any, bare, none, "a table: what is drawn beside ball angles"},
+      {"sampling.box", nowhere, any, bare, none, "a table: what is drawn in addition to ball angles"},
       {"sampling.method", at<draws, &A::method>, any, bare, none, "how starts are drawn"},
       {"sampling.starts", at<draws, &A::starts>, {1.0, 1e12}, bare, none, "how many; of a grid 2 or more"},
       {"sampling.seed", at<draws, &A::seed>, {0.0, 0x1p63}, bare, none, "of the random numbers"},
@@ -350,11 +350,11 @@ std::vector<Key> all_keys() {
        "error allowed a step; by default 1e-6 for `basin`, 1e-12 for `simulate`"},
       {"numerics.horizon", at<num, &N::horizon>, horizons, D::time, none,
        "time after the last branch begins (and release) until a start counts as undecided; by default chosen"},
-      {"numerics.decide", at<num, &N::decide>, any, bare, none, "grounds on which a fate is known early"},
+      {"numerics.decide", at<num, &N::decide>, any, bare, none, "grounds on which an outcome is known early"},
       {"limits.displacement", at<lim, &L::displacement>, positive, D::length, none,
        "radial, of the rotor from where it rests under its weight, in R"},
       {"limits.force", at<lim, &L::force>, positive, D::force, none,
-       "on the supports, or of a rotor that tilts on each bearing that is known, weight included, in M R omega_c^2"},
+       "on the supports, or for a tilting rotor on each known bearing, weight included, in M R omega_c^2"},
       {"limits.velocity", at<lim, &L::velocity>, positive, D::velocity, none,
        "root mean square of both directions together, of the centre of the race, in R omega_c"},
       {"limits.velocity_one_direction", at<lim, &L::velocity_one_direction>, positive, D::velocity, none,
@@ -377,14 +377,15 @@ std::vector<Key> all_keys() {
       {"limits.clearance", at<lim, &L::clearance>, positive, D::length, none,
        "radial, between rotor and housing, all around where the rotor rests, in R"},
       {"standards.severity_class", at<norms, &Standards::severity_class>, any, bare, none,
-       "of ISO 10816-1:1995, for zones of severity (by default none are told): I small machines, up to 15 kW; II up to "
+       "of ISO 10816-1:1995, for zones of severity (by default none are given): I small machines, up to 15 kW; II up "
+       "to "
        "75 kW; III large ones, rigid; IV large ones, on soft supports",
        nullptr, has_class},
       {"standards.hand_held", at<norms, &Standards::hand_held>, any, bare, none,
-       "`true`: hands hold what the rotor shakes; daily exposure by ISO 5349-1 and Directive 2002/44/EC", nullptr,
+       "`true`: the machine is held by hand; daily exposure by ISO 5349-1 and Directive 2002/44/EC", nullptr,
        is_hand_held},
       {"standards.standing_mass", at<norms, &Standards::standing_mass>, positive, D::mass, none,
-       "of all that stands on its feet; tells whether the machine may slide"},
+       "of all that stands on its feet; shows whether the machine may slide"},
       {"standards.friction", at<norms, &Standards::friction>, up_to_ten, bare, none,
        "coefficient between feet and floor"},
       {"sweep.over", at<&Study::sweep, &SweepSetting::over>, any, bare, none,

@@ -72,7 +72,7 @@ void read_bearings(const StudyFile& file, TableReader& tilt, Study& study) {
     for (const Key* way : ways_of(first))
       if (rotor.has(way->name)) rotor.fail(way->name, bearings_state_it);
   read_array(file, "rotor.tilt.bearings",
-             "must be an array of tables, one a bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = "
+             "must be an array of tables, one per bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = "
              "\"300 N s/m\" }, ..]",
              study.sheet.bearings, study);
 }
@@ -86,7 +86,7 @@ void read_tilt(const StudyFile& file, Study& study) {
   tilt.finish();
   if (file.physical)
     read_array(file, "rotor.tilt.unbalance",
-               "must be an array of tables, one a plane, as [{ at = \"0.2 m\", size = \"50 g mm\", angle = \"0 "
+               "must be an array of tables, one per plane, as [{ at = \"0.2 m\", size = \"50 g mm\", angle = \"0 "
                "degree\" }, ..]",
                study.sheet.unbalances, study);
 }

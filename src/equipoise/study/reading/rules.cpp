@@ -50,9 +50,10 @@ void check_bearings(const Study& study, const Refuse& refuse) {
       refuse("rotor.tilt.bearings_at",
              fmt::format("must have at most {} places where each bearing's stiffness is stated", model::most_bearings));
     if (lists[k]->size() != count && lists[k]->size() != 2 * count)
-      refuse(keys[k], fmt::format("must be an array of {} numbers, one a bearing of rotor.tilt.bearings_at, or of {}, "
-                                  "of each in X and Y in turn",
-                                  count, 2 * count));
+      refuse(keys[k],
+             fmt::format("must be an array of {} numbers, one per bearing of rotor.tilt.bearings_at, or of {}, "
+                         "of each in X and Y in turn",
+                         count, 2 * count));
   }
   if (study.bearings_stiffness.empty()) return;
   const std::vector<model::Bearing> each = study.each_bearing();
@@ -66,7 +67,7 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
   const auto none = [&](const char* key, bool set, const char* physical_key = nullptr) {
     if (set && physical_key && study.scales)
       refuse(fmt::format("balancer.{}", physical_key),
-             fmt::format("no rotor with rotor.tilt has balls that roll or touch: state balancer.{} = false",
+             fmt::format("rotors with rotor.tilt have no rolling or touching balls: state balancer.{} = false",
                          physical_key));
     if (set)
       refuse(fmt::format("balancer.{}", key),
@@ -235,7 +236,7 @@ const std::vector<Need>& needs() {
        "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings"},
       {{"limits.force", "limits.dynamic_force"},
        [](const Study& s) { return s.bearings.size() < 2 || !s.standards.standing_mass; },
-       "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is "
+       "is of the bearing that takes most, but with standards.standing_mass only the force on all together is "
        "known; state one of the two"},
       {{"limits.residual", "limits.grade"},
        [](const Study& s) { return !s.parameters.tilts() || model::tolerance_planes(s.bearings); },

@@ -89,7 +89,7 @@ void put_at_rest(Study& study, const Refuse& refuse) {
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
   if (!any_number.contains(rest[0]) || !any_number.contains(rest[1]))
-    refuse("rotor.gravity", fmt::format("pulls the rotor farther than {} race radii; must be less", unbounded));
+    refuse("rotor.gravity", fmt::format("pulls the rotor further than {} race radii; must be less", unbounded));
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
   const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes

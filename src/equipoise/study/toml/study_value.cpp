@@ -55,7 +55,7 @@ const StudyValue* StudyValue::find_path(std::string_view dotted) const {
 
 StudyValue& StudyValue::set(std::string key, StudyValue value) {
   auto* members = std::get_if<Table>(&value_);
-  if (!members) throw std::logic_error("a value that is no table has no members");
+  if (!members) throw std::logic_error("only a table has members");
   if (StudyValue* there = find(key)) return *there = std::move(value);
   members->push_back({std::move(key), std::move(value)});
   return members->back().value;

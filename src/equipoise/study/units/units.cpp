@@ -197,7 +197,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const UnitText checked(unit_text);
   if (!checked.is_product) return refused(no_number_with_unit);
   if (!checked.unknown.empty())
-    return refused(fmt::format("\"{}\" is no known unit{}", display_text(checked.unknown),
+    return refused(fmt::format("\"{}\" is not a known unit{}", display_text(checked.unknown),
                                unit_hint(checked.unknown, checked.names == 1, wanted)));
   if (!checked.unit) return refused(no_number_with_unit);
   for (const Dimension dimension : wanted) {
@@ -208,7 +208,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     return result;
   }
   refused(fmt::format(measures_something_else, unit_text));
-  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns a second)";
+  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns per second)";
   return result;
 }
 
