@@ -97,11 +97,12 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
     text += fmt::format("x = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", s.x, s.y, s.x_dot, s.y_dot);
     for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
   }
-  const auto by = static_cast<std::size_t>(replay.fate.by);
-  const std::string outcome = replay.fate.outcome == Outcome::attracted ? replay.name : name_of(replay.fate.outcome);
+  const auto by = static_cast<std::size_t>(replay.outcome.by);
+  const std::string outcome =
+      replay.outcome.kind == OutcomeKind::attracted ? replay.name : name_of(replay.outcome.kind);
   text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome, decided_by_names[by],
-                      replay.fate.time);
-  if (study.speed.driven()) text += fmt::format("mean_speed = {}\n", replay.fate.mean_speed);
+                      replay.outcome.time);
+  if (study.speed.driven()) text += fmt::format("mean_speed = {}\n", replay.outcome.mean_speed);
   if (replay.transients) text += transients_text(study, *replay.transients);
   put(text);
   return done;

@@ -34,10 +34,11 @@ class Engine : public Rival {
       task.count = count;
       task.states = states.data() + first * size;
       task.work = &work;
-      std::vector<Fate> fates(count);
-      advance_batch(task, fates);
+      std::vector<Outcome> outcomes(count);
+      advance_batch(task, outcomes);
       for (std::size_t i = 0; i < count; ++i)
-        if (fates[i].outcome != Outcome::undecided) task.states[i * size] = std::numeric_limits<double>::quiet_NaN();
+        if (outcomes[i].kind != OutcomeKind::undecided)
+          task.states[i * size] = std::numeric_limits<double>::quiet_NaN();
       return work.evaluations(count);
     });
   }

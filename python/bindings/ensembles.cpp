@@ -100,12 +100,13 @@ py::dict replay(const PyStudy& s, std::uint64_t index, std::optional<bool> trans
   state["phi_dot"] = array_of(std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + balls));
   if (replayed.transients)
     for (const TransientFigure& f : transient_figures) figures[f.name] = (*replayed.transients).*f.value;
-  const Fate& fate = replayed.fate;
-  return py::dict("state"_a = state, "drawn"_a = array_of(std::vector<double>(replayed.drawn)),
-                  "outcome"_a = fate.outcome == Outcome::attracted ? replayed.name : std::string(name_of(fate.outcome)),
-                  "decided_by"_a = decided_by_names[static_cast<std::size_t>(fate.by)], "decision_time"_a = fate.time,
-                  "mean_speed"_a = s.study.speed.driven() ? py::object(py::float_(fate.mean_speed)) : py::none(),
-                  "transients"_a = figures);
+  const Outcome& outcome = replayed.outcome;
+  return py::dict(
+      "state"_a = state, "drawn"_a = array_of(std::vector<double>(replayed.drawn)),
+      "outcome"_a = outcome.kind == OutcomeKind::attracted ? replayed.name : std::string(name_of(outcome.kind)),
+      "decided_by"_a = decided_by_names[static_cast<std::size_t>(outcome.by)], "decision_time"_a = outcome.time,
+      "mean_speed"_a = s.study.speed.driven() ? py::object(py::float_(outcome.mean_speed)) : py::none(),
+      "transients"_a = figures);
 }
 
 // Every start, if they were kept. What does not apply to the study is None.

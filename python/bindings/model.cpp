@@ -135,11 +135,12 @@ std::unique_ptr<Mapper> make_mapper(const PyStudy& s, const py::dict& settings) 
   }
 }
 
-py::dict fates_of(const Mapper& mapper, const py::array& states, const py::dict& settings) {
+py::dict outcomes_of(const Mapper& mapper, const py::array& states, const py::dict& settings) {
   const std::vector<InitialState> starts = starts_from(mapper.study(), states, "states");
   CallWith<> call(settings);
   std::vector<short> labels;
-  for (const Fate& fate : Call::run([&] { return mapper(starts, call.options); })) labels.push_back(code_of(fate));
+  for (const Outcome& outcome : Call::run([&] { return mapper(starts, call.options); }))
+    labels.push_back(code_of(outcome));
   return py::dict("labels"_a = array_of(std::move(labels)), "interrupted"_a = call.interrupted());
 }
 
@@ -161,7 +162,7 @@ void bind_model(py::module_& module) {
   using Shape = std::vector<int>;
   py::class_<Mapper>(module, "Mapper")
       .def(py::init(&make_mapper))
-      .def("fates", &fates_of)
+      .def("outcomes", &outcomes_of)
       .def("attractors", &attractors_of);
   py::class_<StudyEquations>(module, "Equations")
       .def(py::init([](const PyStudy& s) { return StudyEquations(s.study); }))

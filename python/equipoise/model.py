@@ -315,8 +315,8 @@ class Mapper:
 
     def _labels(self, rows: npt.NDArray[Any], threads: int, progress: ProgressArgument) -> npt.NDArray[np.int16]:
         with settings(threads, progress, None) as how:
-            fates = self._core.fates(rows, how)
-        return unless_interrupted(fates["labels"], fates["interrupted"])
+            outcomes = self._core.outcomes(rows, how)
+        return unless_interrupted(outcomes["labels"], outcomes["interrupted"])
 
     def name(self, label: int) -> str:
         """The attractor's name for an identifier, or the outcome's."""

@@ -99,7 +99,7 @@ class StudyChecks {
     std::sort(kinds.rbegin(), kinds.rend());
     for (const auto& [count, kind] : kinds)
       audit_.answer += fmt::format("{}{} {:.0f} %", audit_.answer.empty() ? "" : ", ", kind,
-                                   100.0 * static_cast<double>(count) / static_cast<double>(base_.fates.size()));
+                                   100.0 * static_cast<double>(count) / static_cast<double>(base_.outcomes.size()));
     const Share& undecided = base_.result.undecided;
     audit_.undecided_share = undecided.share;
     Check& check = audit_.at(Column::undecided);
@@ -137,7 +137,7 @@ class StudyChecks {
     const std::vector<double> decided = base_.decision_times(study_);
     if (decided.empty()) return;
     const double most = decided.back(), usual = decided[decided.size() * 9 / 10];
-    const std::size_t count = std::min<std::size_t>(base_.fates.size(), is_machine() ? 100 : 200);
+    const std::size_t count = std::min<std::size_t>(base_.outcomes.size(), is_machine() ? 100 : 200);
     // Time units of one trajectory that a core computes in a share of time.
     const double reach = settings_.seconds * (is_machine() ? 2e4 : 4e5) / static_cast<double>(count);
     LookTimes times;
@@ -155,8 +155,8 @@ class StudyChecks {
       if (against.empty()) continue;
       ++wrong;
       if (told[base_.kind(i)]++ == 0)
-        check.fail(fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, base_.name(i), base_.fates[i].time,
-                               times.second, against),
+        check.fail(fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, base_.name(i),
+                               base_.outcomes[i].time, times.second, against),
                    replay(i));
     }
     if (check.verdict != Verdict::failed) check.verdict = Verdict::passed;
@@ -214,7 +214,7 @@ class StudyChecks {
   }
 
   std::size_t at_boundaries(const Ensemble& other) const {
-    return boundary_starts + static_cast<std::size_t>(boundary_share * static_cast<double>(other.fates.size()));
+    return boundary_starts + static_cast<std::size_t>(boundary_share * static_cast<double>(other.outcomes.size()));
   }
 
   // Without gravity and with equal supports nothing depends on the rotor's angle. On lanes results are bit-identical;
@@ -300,9 +300,9 @@ class StudyChecks {
     const Ensemble a = run_ensemble(study_, count, one), b = run_ensemble(study_, count, three);
     Check& check = audit_.at(Column::threads);
     check = Check::passed("same bits");
-    for (std::size_t i = 0; i < a.fates.size(); ++i) {
-      const Fate &x = a.fates[i], &y = b.fates[i];
-      if (x.outcome != y.outcome || x.by != y.by || x.attractor != y.attractor || x.time != y.time) {
+    for (std::size_t i = 0; i < a.outcomes.size(); ++i) {
+      const Outcome &x = a.outcomes[i], &y = b.outcomes[i];
+      if (x.kind != y.kind || x.by != y.by || x.attractor != y.attractor || x.time != y.time) {
         check.fail(fmt::format("start {}: \"{}\" at {} on one thread, \"{}\" at {} on three", i, a.name(i), x.time,
                                b.name(i), y.time),
                    command("--threads 1") + " ; --threads 3");
@@ -326,11 +326,11 @@ class StudyChecks {
   void check_replay() {
     Check& check = audit_.at(Column::replayed);
     check = Check::passed("3 of 3");
-    for (const std::size_t i : {std::size_t{0}, base_.fates.size() / 2, base_.fates.size() - 1}) {
+    for (const std::size_t i : {std::size_t{0}, base_.outcomes.size() / 2, base_.outcomes.size() - 1}) {
       const StartReplay again = replay_start(study_, i, options());
-      const Fate &x = base_.fates[i], &y = again.fate;
-      const std::string name = y.outcome == Outcome::attracted ? again.name : base_.name(i);
-      if (x.outcome != y.outcome || x.time != y.time || x.by != y.by || name != base_.name(i))
+      const Outcome &x = base_.outcomes[i], &y = again.outcome;
+      const std::string name = y.kind == OutcomeKind::attracted ? again.name : base_.name(i);
+      if (x.kind != y.kind || x.time != y.time || x.by != y.by || name != base_.name(i))
         check.fail(
             fmt::format("start {} is \"{}\" at {}, replayed \"{}\" at {}", i, base_.name(i), x.time, name, y.time),
             replay(i));

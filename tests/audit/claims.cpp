@@ -112,19 +112,19 @@ std::string not_as_listed(const Study& study, const Motion& said, const LateMoti
 
 std::string contradiction(const Study& study, const Ensemble& ensemble, std::size_t i, const LateMotion& late,
                           const LookTimes& times) {
-  const Fate& fate = ensemble.fates[i];
+  const Outcome& outcome = ensemble.outcomes[i];
   if (!late.followed) return {};
   if (late.lost) return "it diverged or failed later";
   const bool driven = study.speed.driven();
   const double stall = driven ? std::fabs(study.stall_speed()) : 0.0;
   // Mean speeds of a steady rotor vary by less than half a per cent.
-  if (fate.outcome == Outcome::stalled)
+  if (outcome.kind == OutcomeKind::stalled)
     return std::fabs(late.speed) < 1.01 * stall
                ? std::string()
                : fmt::format("it turns at {:.4g}, not below {:.4g}", late.speed, stall);
   if (driven && std::fabs(late.speed) < 0.99 * stall)
     return fmt::format("it turns at {:.4g}, below {:.4g}: stalled", late.speed, stall);
-  const Attractor* a = ensemble.catalogue.find(fate.attractor);
+  const Attractor* a = ensemble.catalogue.find(outcome.attractor);
   if (!a) return "its attractor is not in the list";
   const std::string kind = kind_of_name(a->name);
   if (a->motion.set_valued) {  // held for good, each start's balls where they stopped

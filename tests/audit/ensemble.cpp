@@ -16,20 +16,20 @@ std::string kind_of_name(const std::string& name) {
 }
 
 std::string Ensemble::name(std::size_t i) const {
-  if (fates[i].outcome != Outcome::attracted) return name_of(fates[i].outcome);
-  const Attractor* a = catalogue.find(fates[i].attractor);
+  if (outcomes[i].kind != OutcomeKind::attracted) return name_of(outcomes[i].kind);
+  const Attractor* a = catalogue.find(outcomes[i].attractor);
   return a ? a->name : "unlisted";
 }
 
 std::string Ensemble::kind(std::size_t i) const { return kind_of_name(name(i)); }
 
 bool Ensemble::decided(std::size_t i) const {
-  return fates[i].outcome == Outcome::attracted || fates[i].outcome == Outcome::stalled;
+  return outcomes[i].kind == OutcomeKind::attracted || outcomes[i].kind == OutcomeKind::stalled;
 }
 
 std::map<std::string, std::uint64_t> Ensemble::kinds() const {
   std::map<std::string, std::uint64_t> counts;
-  for (std::size_t i = 0; i < fates.size(); ++i) ++counts[kind(i)];
+  for (std::size_t i = 0; i < outcomes.size(); ++i) ++counts[kind(i)];
   return counts;
 }
 
@@ -37,8 +37,8 @@ std::vector<double> Ensemble::decision_times(const Study& study) const {
   const double settled = study.speed.driven() ? study.drive().pieces.back().begin
                                               : std::max(study.speed_profile().settled_time(), study.release_time());
   std::vector<double> times;
-  for (std::size_t i = 0; i < fates.size(); ++i)
-    if (decided(i)) times.push_back(std::max(fates[i].time - settled, 0.0));
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    if (decided(i)) times.push_back(std::max(outcomes[i].time - settled, 0.0));
   std::sort(times.begin(), times.end());
   return times;
 }
@@ -46,7 +46,7 @@ std::vector<double> Ensemble::decision_times(const Study& study) const {
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options) {
   Ensemble ensemble;
   BasinOptions all = options;
-  all.fate = [&](const Fate& fate) { ensemble.fates.push_back(fate); };
+  all.outcome = [&](const Outcome& outcome) { ensemble.outcomes.push_back(outcome); };
   study.sampling.starts = starts;
   ensemble.own_rotors = !study.uncertain.empty();
   ensemble.result = basin(study, all, &ensemble.catalogue);
@@ -55,7 +55,7 @@ Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& opt
 
 Pairs compare_pairs(const Ensemble& a, const Ensemble& b, bool undecided_too) {
   Pairs pairs;
-  for (std::size_t i = 0; i < std::min(a.fates.size(), b.fates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(a.outcomes.size(), b.outcomes.size()); ++i) {
     if (!undecided_too && !(a.decided(i) && b.decided(i))) continue;
     ++pairs.compared;
     if (a.kind(i) == b.kind(i)) continue;
@@ -75,7 +75,7 @@ SharesApart compare_shares(const Ensemble& a, const Ensemble& b) {
     return at == list.end() ? std::uint64_t{0} : at->second;
   };
   for (const std::string& kind : kinds) {
-    const std::uint64_t n = a.fates.size(), m = b.fates.size(), k = count(first, kind), l = count(second, kind);
+    const std::uint64_t n = a.outcomes.size(), m = b.outcomes.size(), k = count(first, kind), l = count(second, kind);
     const double share = static_cast<double>(l) / static_cast<double>(m);
     const double probability = agreement_p_value(k, n, {share, 0.0, m});
     if (probability < worst.probability)

@@ -1,4 +1,4 @@
-// One ensemble with every start's fate kept, and comparisons of two ensembles.
+// One ensemble with every start's outcome kept, and comparisons of two ensembles.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace equipoise::audit {
 struct Ensemble {
   BasinResult result;
   Catalogue catalogue;
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   bool own_rotors = false;  ///< each start draws its own
 
   /// What became of start i: the attractor's name, "undecided", "stalled", "diverged", "failed".

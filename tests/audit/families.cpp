@@ -66,9 +66,9 @@ class KnownRotor {
   std::vector<std::string> settled(Decided& decided) {
     catalogue_.settle(decided);
     std::vector<std::string> kinds;
-    for (const Fate& fate : decided.fates) {
-      const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
-      kinds.push_back(a ? kind_of_name(a->name) : name_of(fate.outcome));
+    for (const Outcome& outcome : decided.outcomes) {
+      const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue_.find(outcome.attractor) : nullptr;
+      kinds.push_back(a ? kind_of_name(a->name) : name_of(outcome.kind));
     }
     return kinds;
   }
@@ -79,7 +79,7 @@ class KnownRotor {
 
 // A kind's share over all values, and the mean over rotors, both with their errors.
 void compare(const Ensemble& drawn, const std::vector<Shares>& rotors, FamilyAudit& audit) {
-  const double n = static_cast<double>(drawn.fates.size()), m = static_cast<double>(rotors.size());
+  const double n = static_cast<double>(drawn.outcomes.size()), m = static_cast<double>(rotors.size());
   Shares all;
   for (const auto& [kind, count] : drawn.kinds()) all[kind] = static_cast<double>(count) / n;
   for (const Shares& one : rotors)
@@ -128,7 +128,7 @@ FamilyAudit audit_family(std::size_t k, std::uint64_t starts, const Settings& se
       const OwnRotorStart own = own_rotor_start(family, study, i);
       KnownRotor known(own.study);
       if (i < audit.rotors) rotors[i] = known.shares(i);
-      const std::string here = drawn.kind(i), there = known.kind(own.start), open = name_of(Outcome::undecided);
+      const std::string here = drawn.kind(i), there = known.kind(own.start), open = name_of(OutcomeKind::undecided);
       const bool same = here == there, undecided = here == open || there == open;
       const bool beside = !same && !undecided && known.ends_otherwise_beside(own.start, study.parameters.balls);
       const std::scoped_lock lock(counting);

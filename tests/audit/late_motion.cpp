@@ -161,12 +161,12 @@ class Followers {
     task_.states = states.data();
     task_.begins = begins.data();
     if (!own.empty()) task_.own = own.data();
-    std::vector<Fate> fates(places.size());
-    classify_batch(task_, rule_, fates, nullptr);
+    std::vector<Outcome> outcomes(places.size());
+    classify_batch(task_, rule_, outcomes, nullptr);
     for (std::size_t k = 0; k < places.size(); ++k) {
       const std::size_t i = places[k];
       std::copy_n(&states[k * size_], size_, state(i));
-      motions_[i].lost = fates[k].outcome == Outcome::diverged || fates[k].outcome == Outcome::failed;
+      motions_[i].lost = outcomes[k].kind == OutcomeKind::diverged || outcomes[k].kind == OutcomeKind::failed;
       turn(i, time);
     }
   }

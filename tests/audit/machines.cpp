@@ -105,7 +105,7 @@ MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& 
       if (against.empty()) continue;
       if (audit.wrong++ == 0)
         audit.first = fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, ensemble.name(i),
-                                  ensemble.fates[i].time, times.second, against);
+                                  ensemble.outcomes[i].time, times.second, against);
     }
   }
   audit.seconds = cpu_seconds() - begin;

@@ -53,22 +53,22 @@ TEST_P(EvenSampling, ThreadsFilesAndSingleStartsGiveTheSameBits) {
   one.threads = 1;
   two.threads = 2;
   one.output = scratch_file("even_one.nc");
-  std::vector<Fate> fates;
-  two.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  std::vector<Outcome> outcomes;
+  two.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   const BasinResult a = basin(study, one), b = basin(study, two);
   expect_same(a, b);
   const BasinFile file(one.output, basin_file_header(study, true));
-  ASSERT_EQ(file.stored(), fates.size());
-  const StartArrays stored = file.read(0, fates.size());
-  for (std::size_t i = 0; i < fates.size(); ++i) {
-    ASSERT_EQ(fate_of(stored, i)->attractor, fates[i].attractor);
-    ASSERT_EQ(stored.decision_time[i], fates[i].time);
+  ASSERT_EQ(file.stored(), outcomes.size());
+  const StartArrays stored = file.read(0, outcomes.size());
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    ASSERT_EQ(outcome_of(stored, i)->attractor, outcomes[i].attractor);
+    ASSERT_EQ(stored.decision_time[i], outcomes[i].time);
   }
   expect_same(file.summary().front().share, a.attractors.front().share);
   for (const std::uint64_t index : {0u, 777u, 4711u}) {
     const StartReplay alone = replay_start(study, index);
-    EXPECT_EQ(alone.fate.attractor, fates[index].attractor);
-    EXPECT_EQ(alone.fate.time, fates[index].time);
+    EXPECT_EQ(alone.outcome.attractor, outcomes[index].attractor);
+    EXPECT_EQ(alone.outcome.time, outcomes[index].time);
   }
 }
 

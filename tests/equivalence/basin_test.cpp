@@ -38,21 +38,21 @@ void expect_same_shares(const BasinResult& a, const BasinResult& b) {
   EXPECT_EQ(a.undecided.count, b.undecided.count);
 }
 
-void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
+void expect_same(const std::vector<Outcome>& a, const std::vector<Outcome>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a[i].outcome, b[i].outcome) << "start " << i;
+    ASSERT_EQ(a[i].kind, b[i].kind) << "start " << i;
     ASSERT_EQ(a[i].attractor, b[i].attractor) << "start " << i;
     ASSERT_EQ(a[i].by, b[i].by) << "start " << i;
     ASSERT_EQ(a[i].time, b[i].time) << "start " << i;  // every bit: one instruction set has one arithmetic
   }
 }
 
-std::vector<Fate> fates_in(const BasinFile& file, std::size_t count) {
+std::vector<Outcome> outcomes_in(const BasinFile& file, std::size_t count) {
   const StartArrays starts = file.read(0, count);
-  std::vector<Fate> fates;
-  for (std::size_t i = 0; i < count; ++i) fates.push_back(*fate_of(starts, i));
-  return fates;
+  std::vector<Outcome> outcomes;
+  for (std::size_t i = 0; i < count; ++i) outcomes.push_back(*outcome_of(starts, i));
+  return outcomes;
 }
 
 class SameBits : public testing::TestWithParam<const char*> {};
@@ -60,15 +60,15 @@ class SameBits : public testing::TestWithParam<const char*> {};
 TEST_P(SameBits, HoweverTheStartsAreCut) {
   const Session runner(paper_row(GetParam(), 600), {.threads = 2});
   Decided whole, part;
-  std::vector<Fate> joined;
+  std::vector<Outcome> joined;
   ASSERT_TRUE(runner.decide(0, 600, whole));
   std::uint64_t first = 0;
   for (std::size_t size : {1, 2, 5, 23, 24, 25, 120, 400}) {
     ASSERT_TRUE(runner.decide(first, size, part));
-    joined.insert(joined.end(), part.fates.begin(), part.fates.end());
+    joined.insert(joined.end(), part.outcomes.begin(), part.outcomes.end());
     first += size;
   }
-  expect_same(whole.fates, joined);
+  expect_same(whole.outcomes, joined);
 }
 
 TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
@@ -81,12 +81,12 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   const BasinResult a = basin(study, one), b = basin(study, two);
   expect_same_shares(a, b);
   const BasinFileHeader header = basin_file_header(study, true);
-  const std::vector<Fate> from_one = fates_in(BasinFile(one.output, header), study.sampling.starts);
-  expect_same(from_one, fates_in(BasinFile(two.output, header), study.sampling.starts));
+  const std::vector<Outcome> from_one = outcomes_in(BasinFile(one.output, header), study.sampling.starts);
+  expect_same(from_one, outcomes_in(BasinFile(two.output, header), study.sampling.starts));
   for (std::uint64_t index : {0u, sized(777u, 77u), sized(1999u, 599u)}) {
     const StartReplay alone = replay_start(study, index);
-    EXPECT_EQ(alone.fate.attractor, from_one[index].attractor);
-    EXPECT_EQ(alone.fate.time, from_one[index].time);
+    EXPECT_EQ(alone.outcome.attractor, from_one[index].attractor);
+    EXPECT_EQ(alone.outcome.time, from_one[index].time);
   }
 }
 
@@ -113,11 +113,11 @@ TEST(Basin, AReplayedStartKnowsTheRegionsThatItsEnsembleKnew) {
   const Study study = at_speed(2.4);
   const std::vector<double> times = basin(study, hinted).every_start->decision_time;
   EXPECT_NE(times, basin(study, plain).every_start->decision_time) << "hints decide nothing here";
-  for (std::uint64_t i = 0; i < times.size(); i += 30) EXPECT_EQ(replay_start(study, i, hinted).fate.time, times[i]);
+  for (std::uint64_t i = 0; i < times.size(); i += 30) EXPECT_EQ(replay_start(study, i, hinted).outcome.time, times[i]);
 }
 
 // Three grounds of decision, one result: row 2.4 has a smooth boundary, on which no start changes sides.
-TEST(Basin, EveryGroundOfDecisionGivesTheSameFates) {
+TEST(Basin, EveryGroundOfDecisionGivesTheSameOutcomes) {
   Study study = paper_row("table-2-omega-2.4", 2000);
   study.numerics.horizon = 3000.0;  // all are decided by then, and one of three runs goes on to the end
   const BasinResult validated = basin(study);
@@ -244,12 +244,12 @@ TEST(Basin, FewerStartsThanAKilledRunLeftAreCountedAndTheFileTakesAll) {
   Study study = paper_row("table-2-omega-2.4", 2000);
   BasinOptions options;
   options.output = scratch_file("killed.nc");
-  options.fate = [&, counted = 0](const Fate&) mutable {
+  options.outcome = [&, counted = 0](const Outcome&) mutable {
     if (++counted == 1500) throw RunError("killed");
   };
   EXPECT_THROW(basin(study, options), RunError);
   EXPECT_FALSE(std::filesystem::exists(options.output));
-  options.fate = {};
+  options.outcome = {};
   const std::uint64_t left = BasinFile(options.output, basin_file_header(study, true)).stored();
   ASSERT_GT(left, 700u);
   study.sampling.starts = 600;

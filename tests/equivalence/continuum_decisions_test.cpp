@@ -26,24 +26,26 @@ Study rotor(int balls) {
   return study;
 }
 
-std::vector<Fate> fates_of(const Study& study, std::size_t count) {
+std::vector<Outcome> outcomes_of(const Study& study, std::size_t count) {
   Session runner(study, {.threads = 2});
   Decided decided;
   EXPECT_TRUE(runner.decide(0, count, decided));
   RunCatalogue(runner).settle(decided);
-  return decided.fates;
+  return decided.outcomes;
 }
 
-bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
+bool is_balanced(const Outcome& outcome) {
+  return outcome.kind == OutcomeKind::attracted && outcome.attractor == balanced_id;
+}
 
 // The level was tried; it is not one so small that its remainder could be estimated. Half of four balls' starts
 // balance.
 TEST(ContinuumDecisions, AreQuickAndHold) {
   Study study = rotor(4);
   const std::size_t count = sized(100, 16);
-  const std::vector<Fate> early = fates_of(study, count);
+  const std::vector<Outcome> early = outcomes_of(study, count);
   study.numerics.decide = ClassificationMode::horizon;
-  const std::vector<Fate> late = fates_of(study, count);
+  const std::vector<Outcome> late = outcomes_of(study, count);
   double sum = 0.0;
   int balanced = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -85,10 +87,10 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
     for (const FeatureBox& box : search.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
     for (const KnownFeatures& known : search.rule.known) EXPECT_NE(known.attractor, balanced_id);
     int balanced = 0;
-    for (const Fate& fate : fates_of(study, sized(100, 24))) {
-      if (!is_balanced(fate)) continue;
+    for (const Outcome& outcome : outcomes_of(study, sized(100, 24))) {
+      if (!is_balanced(outcome)) continue;
       ++balanced;
-      EXPECT_TRUE(fate.by == DecidedBy::validated || fate.by == DecidedBy::followed);
+      EXPECT_TRUE(outcome.by == DecidedBy::validated || outcome.by == DecidedBy::followed);
     }
     EXPECT_GT(balanced, sized(10, 1));
   }
@@ -102,11 +104,11 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   study.numerics.horizon.reset();
   const std::size_t count = sized(12, 2);
   int undecided = 0, balanced = 0;
-  for (const Fate& fate : fates_of(study, count)) {
-    undecided += fate.outcome == Outcome::undecided;
-    balanced += is_balanced(fate);
-    if (is_balanced(fate)) {
-      EXPECT_EQ(fate.by, DecidedBy::validated);
+  for (const Outcome& outcome : outcomes_of(study, count)) {
+    undecided += outcome.kind == OutcomeKind::undecided;
+    balanced += is_balanced(outcome);
+    if (is_balanced(outcome)) {
+      EXPECT_EQ(outcome.by, DecidedBy::validated);
     }
   }
   EXPECT_LE(undecided, 1);
@@ -122,11 +124,11 @@ int come_to_rest(const Study& study, std::size_t count, double end) {
   SpunUp starts;
   EXPECT_TRUE(source.make(study.sampling.seed, 0, count, starts));
   const std::vector<double>& begin = starts.states;
-  std::vector<Fate>& fates = starts.fates;
+  std::vector<Outcome>& outcomes = starts.outcomes;
   std::vector<double> caught = begin;
   BatchTask task = source.task(0, caught);
   task.end = end;
-  EXPECT_TRUE(classify_batch(task, runner.rule(), fates, nullptr));
+  EXPECT_TRUE(classify_batch(task, runner.rule(), outcomes, nullptr));
   ClassificationRule never;
   never.balls = study.parameters.balls;
   never.window = never.first_long_window = 1e9;
@@ -134,19 +136,19 @@ int come_to_rest(const Study& study, std::size_t count, double end) {
   const auto size = static_cast<std::size_t>(model::dimension(never.balls));
   int balanced = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!is_balanced(fates[i])) continue;
+    if (!is_balanced(outcomes[i])) continue;
     ++balanced;
-    EXPECT_EQ(fates[i].by, DecidedBy::validated) << i;
+    EXPECT_EQ(outcomes[i].by, DecidedBy::validated) << i;
     const std::vector<double> state(&caught[i * size], &caught[i * size] + size);
     std::vector<double> again(&begin[i * size], &begin[i * size] + size), later = state;
-    std::vector<Fate> open(1);
+    std::vector<Outcome> open(1);
     BatchTask alone = source.task(0, again);
-    alone.end = fates[i].time;
+    alone.end = outcomes[i].time;
     EXPECT_TRUE(classify_batch(alone, never, open, nullptr));
     // The last step ends at the time of decision, which rounding may place next to the end of the step before.
     for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
-    alone.segment.psi = source.segments().back().psi_at(fates[i].time);
+    alone.segment.psi = source.segments().back().psi_at(outcomes[i].time);
     alone.end = end;
     alone.tolerance = 1e-9;
     EXPECT_TRUE(classify_batch(alone, never, open, nullptr));

@@ -41,16 +41,16 @@ struct Verdicts {
   std::size_t falsely_balanced = 0, falsely_elsewhere = 0, another_attractor = 0, unconfirmed = 0;
 };
 
-// Compares early fates with the very same trajectories at `end`, from the deciding kernel without decisions.
+// Compares early outcomes with the very same trajectories at `end`, from the deciding kernel without decisions.
 Verdicts compare(const Study& study, std::size_t count, double end) {
   const Session runner(study, {.threads = 2});
   Decided decided;
   EXPECT_TRUE(runner.decide(0, count, decided));
-  const std::vector<Fate>& early = decided.fates;
+  const std::vector<Outcome>& early = decided.outcomes;
   SpunUp starts;
   EXPECT_TRUE(StartSource(study, nullptr).make(study.sampling.seed, 0, count, starts));
   std::vector<double>& states = starts.states;
-  std::vector<Fate>& late = starts.fates;
+  std::vector<Outcome>& late = starts.outcomes;
   ClassificationRule rule = runner.rule();
   rule.at_horizon = true;
   const model::Parameters& p = study.parameters;
@@ -65,9 +65,9 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
     task.tolerance = default_basin_tolerance;
     task.count = length;
     task.states = &states[first * size];
-    std::vector<Fate> fates(length);
-    EXPECT_TRUE(classify_batch(task, rule, fates, nullptr));
-    std::copy(fates.begin(), fates.end(), late.begin() + static_cast<std::ptrdiff_t>(first));
+    std::vector<Outcome> outcomes(length);
+    EXPECT_TRUE(classify_batch(task, rule, outcomes, nullptr));
+    std::copy(outcomes.begin(), outcomes.end(), late.begin() + static_cast<std::ptrdiff_t>(first));
   });
   Verdicts v;
   v.unlisted = decided.unlisted.size();
@@ -76,7 +76,7 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
     const int attractor = early[i].attractor;
     v.balanced += attractor == balanced_id;
     v.elsewhere += attractor > balanced_id;
-    v.undecided += early[i].outcome == Outcome::undecided;
+    v.undecided += early[i].kind == OutcomeKind::undecided;
     v.falsely_balanced += attractor == balanced_id && !balanced;
     v.falsely_elsewhere += attractor > balanced_id && balanced;
     v.another_attractor += attractor > balanced_id && late[i].attractor > balanced_id && late[i].attractor != attractor;
@@ -160,7 +160,7 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
     Decided decided;
     EXPECT_TRUE(runner.decide(0, count, decided));
     double sum = 0.0;
-    for (const Fate& fate : decided.fates) sum += fate.time;
+    for (const Outcome& outcome : decided.outcomes) sum += outcome.time;
     return sum / count;
   };
   // Times scatter by about their mean: the means of two samples of 256 differ by 9 % at random. Without the descent

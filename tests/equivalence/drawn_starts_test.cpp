@@ -1,4 +1,4 @@
-// Starts that draw their rotor: the same fates as from plain studies, whatever the threads, kept in files; and what
+// Starts that draw their rotor: the same outcomes as from plain studies, whatever the threads, kept in files; and what
 // balance depends on.
 #include <cmath>
 #include <cstdint>
@@ -33,14 +33,14 @@ struct Ensemble {
 
 Ensemble run(const Study& study, BasinOptions options = {}) {
   Ensemble ensemble;
-  std::vector<Fate> fates;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  std::vector<Outcome> outcomes;
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   options.keep_starts = true;
   Catalogue catalogue;
   ensemble.result = basin(study, options, &catalogue);
-  for (const Fate& fate : fates) {
-    const Attractor* a = fate.outcome == Outcome::attracted ? catalogue.find(fate.attractor) : nullptr;
-    ensemble.outcomes.push_back(a ? a->name : name_of(fate.outcome));
+  for (const Outcome& outcome : outcomes) {
+    const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue.find(outcome.attractor) : nullptr;
+    ensemble.outcomes.push_back(a ? a->name : name_of(outcome.kind));
   }
   return ensemble;
 }
@@ -52,7 +52,7 @@ std::size_t differences(const std::vector<std::string>& a, const std::vector<std
   return count;
 }
 
-TEST(DrawnStarts, OfOneRotorHaveThatRotorsFatesAndTransients) {
+TEST(DrawnStarts, OfOneRotorHaveThatRotorsOutcomesAndTransients) {
   const Ensemble plain = run(study_with({"limits.displacement=0.1"}));
   const Ensemble drawn = run(study_with({"limits.displacement=0.1", "rotor.eccentricity={values=[0.01]}"}));
   EXPECT_GE(drawn.result.attractors.size(), 2u);
@@ -82,7 +82,7 @@ TEST(DrawnStarts, OfHardlyDifferentRotorsHaveTheSharesOfOne) {
     }
 }
 
-TEST(DrawnStarts, OfAListHaveTheFatesOfItsStudies) {
+TEST(DrawnStarts, OfAListHaveTheOutcomesOfItsStudies) {
   const std::vector<std::string> first{"balancer.drag=0.05"}, second{"balancer.drag=0.1"};
   const Study study = study_with({"balancer.drag={values=[0.05, 0.1]}"});
   const std::vector<std::string> of_first = run(study_with(first)).outcomes,
@@ -118,7 +118,7 @@ TEST(DrawnStarts, AreTheSameWithAnyThreadsResumedAndReplayed) {
   EXPECT_EQ(one.result.every_start->decision_time, whole.result.every_start->decision_time);
   EXPECT_EQ(one.result.every_start->outcome, whole.result.every_start->outcome);
   const StartReplay replay = replay_start(study, 31);
-  EXPECT_EQ(replay.fate.time, one.result.every_start->decision_time[31]);
+  EXPECT_EQ(replay.outcome.time, one.result.every_start->decision_time[31]);
   EXPECT_EQ(replay.name, one.outcomes[31]);
   EXPECT_EQ(replay.drawn[0], one.result.every_start->drawn[31]);
   EXPECT_EQ(replay.drawn, drawn_values(study, sampler_of(study), study.sampling.seed, 31));

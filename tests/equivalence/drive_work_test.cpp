@@ -155,7 +155,7 @@ void expect_motor_work(const std::string& text) {
   for (const std::uint64_t i : {0, 1}) {
     const StartReplay replay = replay_start(study, i, options);
     ASSERT_TRUE(replay.transients);
-    const double work = motor_work(study, replay, replay.fate.time);
+    const double work = motor_work(study, replay, replay.outcome.time);
     // Linear across the step in which balls are released; ways differ by the lanes' tolerance.
     EXPECT_NEAR(replay.transients->energy, work, 1e-3 * work) << text << i;
   }

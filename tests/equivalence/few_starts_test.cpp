@@ -14,7 +14,7 @@ namespace equipoise {
 namespace few_starts_test {
 
 struct Ended {
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   std::vector<std::string> names;
   BasinResult result;
 
@@ -28,12 +28,12 @@ Ended ended(const Study& study, bool few_starts, int threads = 2) {
   options.without_balls = false;
   if (few_starts) options.search = SearchMode::few;
   Ended all;
-  options.fate = [&](const Fate& fate) { all.fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { all.outcomes.push_back(outcome); };
   Catalogue catalogue;
   all.result = basin(study, options, &catalogue);
-  for (const Fate& fate : all.fates) {
-    const Attractor* a = fate.outcome == Outcome::attracted ? catalogue.find(fate.attractor) : nullptr;
-    all.names.push_back(a ? a->name : name_of(fate.outcome));
+  for (const Outcome& outcome : all.outcomes) {
+    const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue.find(outcome.attractor) : nullptr;
+    all.names.push_back(a ? a->name : name_of(outcome.kind));
   }
   return all;
 }
@@ -51,7 +51,7 @@ void expect_same_ends(const Study& study, std::size_t motions) {
   std::vector<std::string> met;
   for (std::size_t i = 0; i < few.names.size(); ++i) {
     if (few.names[i] == name_of(MotionKind::measured))  // with events its windows tell all
-      EXPECT_EQ(full.fates[i].outcome, Outcome::attracted) << "start " << i;
+      EXPECT_EQ(full.outcomes[i].kind, OutcomeKind::attracted) << "start " << i;
     else
       EXPECT_EQ(few.names[i], full.names[i]) << "start " << i;
     EXPECT_NEAR(few.velocity(i), full.velocity(i), of_windows * full.velocity(i) + 1e-9) << "start " << i;
@@ -85,7 +85,7 @@ TEST(FewStarts, DependNeitherOnThreadsNorOnTheirNumber) {
   const Ended half = ended(study, true);
   for (std::size_t i = 0; i < 200; ++i) {
     EXPECT_EQ(one.names[i], two.names[i]);
-    EXPECT_EQ(one.fates[i].time, two.fates[i].time);
+    EXPECT_EQ(one.outcomes[i].time, two.outcomes[i].time);
     EXPECT_EQ(one.velocity(i), two.velocity(i));
     if (i < 100) {
       EXPECT_EQ(one.names[i], half.names[i]);

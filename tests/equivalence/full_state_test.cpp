@@ -64,7 +64,7 @@ TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
     Eigen::VectorXd state(model::dimension(2));
     initial_state(start_of(study, study.sampling.seed, i), 2, 2.4, state.data());
     const auto motion = motion_from({study.parameters, 2.4}, state);
-    const Attractor* attractor = runner.catalogue().find(decided.fates[i].attractor);
+    const Attractor* attractor = runner.catalogue().find(decided.outcomes[i].attractor);
     ASSERT_TRUE(motion && attractor) << i;
     EXPECT_EQ(attractor->name, motion_name(study.parameters, *motion).name) << i;
   }

@@ -64,7 +64,7 @@ std::vector<Case> cases() {
 struct Ends {
   std::vector<double> states;
   std::uint64_t events = 0;
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
 };
 
 Ends on_lanes(const Study& study, std::uint64_t first, std::size_t count, double end = until) {
@@ -80,8 +80,8 @@ Ends on_lanes(const Study& study, std::uint64_t first, std::size_t count, double
   task.work = &work;
   if (!spun.begins.empty()) task.begins = spun.begins.data();
   Ends ends;
-  ends.fates.resize(count);
-  EXPECT_TRUE(advance_batch(task, ends.fates));
+  ends.outcomes.resize(count);
+  EXPECT_TRUE(advance_batch(task, ends.outcomes));
   ends.states = spun.states;
   ends.events = work.events;
   return ends;
@@ -98,7 +98,7 @@ TEST_P(HybridLanes, FollowStartsAsDoublesDo) {
   long events = 0;
   double worst = 0.0;
   for (std::size_t i = 0; i < starts; ++i) {
-    ASSERT_EQ(ends.fates[i].outcome, Outcome::undecided);
+    ASSERT_EQ(ends.outcomes[i].kind, OutcomeKind::undecided);
     const Reference reference = one_by_one(study, i, until);
     events += reference.events;
     for (std::size_t k = 0; k < size; ++k) {
@@ -155,7 +155,7 @@ TEST(HybridLanesAlone, GoOnFromAnyState) {
       task.tolerance = 1e-10;
       task.count = starts;
       task.states = parts.states.data();
-      ASSERT_TRUE(advance_batch(task, parts.fates));
+      ASSERT_TRUE(advance_batch(task, parts.outcomes));
     }
     for (std::size_t k = 0; k < starts * size; ++k)
       EXPECT_NEAR(parts.states[k], whole.states[k], 1e-6 * scale[k % size]) << name << " " << k / size;
@@ -164,7 +164,7 @@ TEST(HybridLanesAlone, GoOnFromAnyState) {
 
 // One start of two balls on a heavy rotor at rest that nothing turns: balls at `phi` with rates `q`.
 std::vector<double> two_balls(const std::string& more, std::vector<double> phi, std::vector<double> q, double end,
-                              BatchWork& work, std::vector<Fate>& fates) {
+                              BatchWork& work, std::vector<Outcome>& outcomes) {
   const Study study = parse_study("[rotor]\neccentricity = 0.0\ndamping = 0.4\n[balancer]\nballs = 2\nmass = 1e-9\n" +
                                       more + "[speed]\nprofile = \"constant\"\nspeed = 1.0\n",
                                   "two balls");
@@ -176,8 +176,8 @@ std::vector<double> two_balls(const std::string& more, std::vector<double> phi, 
   task.count = 1;
   task.states = z.data();
   task.work = &work;
-  fates.resize(1);
-  EXPECT_TRUE(advance_batch(task, fates));
+  outcomes.resize(1);
+  EXPECT_TRUE(advance_batch(task, outcomes));
   return z;
 }
 
@@ -188,8 +188,8 @@ TEST(HybridLanesAlone, SeeBallsThatGraze) {
     const double b1 = 0.5, b2 = 0.1, q1 = 1.0, q2 = 0.6, time = std::log(q1 / q2) / (b1 - b2);
     const double nearer = q1 / b1 * (1.0 - std::exp(-b1 * time)) - q2 / b2 * (1.0 - std::exp(-b2 * time));
     BatchWork work;
-    std::vector<Fate> fates;
-    two_balls("drag = [0.5, 0.1]\n" + contact(1.0), {1.0, 1.5 + nearer - miss}, {q1, q2}, 4.0, work, fates);
+    std::vector<Outcome> outcomes;
+    two_balls("drag = [0.5, 0.1]\n" + contact(1.0), {1.0, 1.5 + nearer - miss}, {q1, q2}, 4.0, work, outcomes);
     EXPECT_EQ(work.events, miss > 0.0 ? 1u : 0u) << miss;
   }
 }
@@ -197,9 +197,9 @@ TEST(HybridLanesAlone, SeeBallsThatGraze) {
 // Rolling resistance alone: q' = -k n with n = (1 + q)^2 against the motion, until the balls are at rest for good.
 TEST(HybridLanesAlone, LetBallsStopDead) {
   BatchWork work;
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   const double q0 = 1e-3, k = 0.01;
-  const auto z = two_balls("drag = 0.0\nrolling = 0.01\n", {1.0, 4.0}, {q0, -q0}, 5.0, work, fates);
+  const auto z = two_balls("drag = 0.0\nrolling = 0.01\n", {1.0, 4.0}, {q0, -q0}, 5.0, work, outcomes);
   EXPECT_EQ(z[6], 0.0);
   EXPECT_EQ(z[7], 0.0);
   EXPECT_EQ(work.events, 2u);
@@ -227,14 +227,14 @@ TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
   task.count = count;
   task.states = spun.states.data();
   task.work = &work;
-  std::vector<Fate> fates(count);
-  ASSERT_TRUE(advance_batch(task, fates));
+  std::vector<Outcome> outcomes(count);
+  ASSERT_TRUE(advance_batch(task, outcomes));
   // They take 1.3 steps per time unit. Released and stopped at every step, a ball took 500.
   RecordProperty("steps", static_cast<int>(work.steps));
   EXPECT_LT(static_cast<double>(work.steps), 4.0 * end * static_cast<double>(count));
   int resting = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    EXPECT_EQ(fates[i].outcome, Outcome::undecided) << i;  // none is given up
+    EXPECT_EQ(outcomes[i].kind, OutcomeKind::undecided) << i;  // none is given up
     const double* z = &spun.states[i * size];
     if (std::fabs(z[6]) > 1e-4 || std::fabs(z[7]) > 1e-4) continue;
     ++resting;
@@ -249,10 +249,10 @@ TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
 TEST(HybridLanesAlone, EndASeriesOfImpacts) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
     BatchWork work;
-    std::vector<Fate> fates;
+    std::vector<Outcome> outcomes;
     const auto z = two_balls("drag = 0.1\nrolling = 0.01\nstiction = 0.02\n" + contact(restitution), {1.0, 1.8},
-                             {0.5, 0.0}, 60.0, work, fates);
-    EXPECT_EQ(fates[0].outcome, Outcome::undecided);
+                             {0.5, 0.0}, 60.0, work, outcomes);
+    EXPECT_EQ(outcomes[0].kind, OutcomeKind::undecided);
     EXPECT_GE(work.events, 2u);
     EXPECT_GE(z[5] - z[4], 0.5 - 1e-9);
     EXPECT_EQ(z[6], 0.0);

@@ -179,8 +179,8 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
     task.count = count;
     task.states = states.data();
     task.work = &work;
-    std::vector<Fate> fates(count);
-    ASSERT_TRUE(advance_batch(task, fates));
+    std::vector<Outcome> outcomes(count);
+    ASSERT_TRUE(advance_batch(task, outcomes));
     EXPECT_GT(work.events, 50 * count);
     // Some thousand steps of 1e-12 each, for energies of about 8.
     for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(energy(&states[i * size]), before[i], 1e-9 * before[i]) << i;

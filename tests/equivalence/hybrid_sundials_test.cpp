@@ -75,9 +75,9 @@ std::vector<double> on_lanes(const Study& study, double end, std::uint64_t& even
   task.count = 1;
   task.states = z.data();
   task.work = &work;
-  std::vector<Fate> fates(1);
+  std::vector<Outcome> outcomes(1);
   EXPECT_EQ(task.kind(), BatchKind::hybrid);
-  EXPECT_TRUE(advance_batch(task, fates));
+  EXPECT_TRUE(advance_batch(task, outcomes));
   events = work.events;
   return z;
 }

@@ -52,7 +52,7 @@ seed = 26
 int told(const Session& runner, std::uint64_t index) {
   Decided decided;
   EXPECT_TRUE(runner.decide(index, 1, decided));
-  return decided.fates[0].attractor;
+  return decided.outcomes[0].attractor;
 }
 
 // The attractor of the very same trajectory at `end`, without earlier decisions.
@@ -69,8 +69,8 @@ int comes_to(const Study& study, const Session& runner, std::uint64_t index, dou
   task.tolerance = source.tolerance();
   task.count = 1;
   task.states = starts.states.data();
-  EXPECT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
-  return starts.fates[0].attractor;
+  EXPECT_TRUE(classify_batch(task, rule, starts.outcomes, nullptr));
+  return starts.outcomes[0].attractor;
 }
 
 // A motion must show the features by which it is recognised. A trajectory seemed stationary by features where it had

@@ -20,8 +20,8 @@
 
 namespace machine_labels_test {
 
-using equipoise::Fate;
 using equipoise::Outcome;
+using equipoise::OutcomeKind;
 using equipoise::parse_study;
 using equipoise::Study;
 
@@ -34,20 +34,20 @@ std::string motor(const std::string& law, const std::string& initial = "0.0") {
 std::string constant(double speed) { return fmt::format("profile = \"constant\"\nspeed = {}", speed); }
 
 struct Named {
-  Fate fate;
+  Outcome outcome;
   std::string name;  // of the motion, without recurrence and joined balls
 };
 
-std::vector<Named> fates_of(Study study, std::size_t count) {
+std::vector<Named> outcomes_of(Study study, std::size_t count) {
   study.sampling.starts = count;
   std::vector<Named> named;
   equipoise::BasinOptions options;
-  options.fate = [&](const Fate& fate) { named.push_back({fate, ""}); };
+  options.outcome = [&](const Outcome& outcome) { named.push_back({outcome, ""}); };
   const auto listed = equipoise::basin(study, options).attractors;
   for (Named& one : named) {
-    one.name = one.fate.outcome == Outcome::attracted ? "?" : name_of(one.fate.outcome);
+    one.name = one.outcome.kind == OutcomeKind::attracted ? "?" : name_of(one.outcome.kind);
     for (const auto& a : listed)
-      if (one.fate.outcome == Outcome::attracted && a.id == one.fate.attractor) one.name = a.name;
+      if (one.outcome.kind == OutcomeKind::attracted && a.id == one.outcome.attractor) one.name = a.name;
     one.name = one.name.substr(0, std::min(one.name.find(", "), one.name.find(" (")));
   }
   return named;
@@ -123,14 +123,14 @@ TEST_P(MachineLabels, HoldTenTimesLater) {
   const Case& c = GetParam();
   const Study study = parse_study(c.toml, c.name);
   const std::size_t starts = equipoise::sized(10, 3);
-  const std::vector<Named> fates = fates_of(study, starts);
+  const std::vector<Named> outcomes = outcomes_of(study, starts);
   int undecided = 0;
   for (std::size_t i = 0; i < starts; ++i) {
-    const auto& [fate, name] = fates[i];
+    const auto& [outcome, name] = outcomes[i];
     undecided += name == "undecided";
     if (name == "undecided") continue;
     // Or 60 000 later: three times as long as a motion that never repeats was watched.
-    const double until = std::min(10.0 * std::max(300.0, fate.time), fate.time + 60000.0);
+    const double until = std::min(10.0 * std::max(300.0, outcome.time), outcome.time + 60000.0);
     const auto seen = machine_follow::follow(study, i, until);
     ASSERT_FALSE(seen.lost);
     const std::string then = machine_follow::kind_of(study, seen);
@@ -143,12 +143,12 @@ TEST_P(MachineLabels, HoldTenTimesLater) {
       EXPECT_GT(seen.last_r, 1e-4) << "start " << i;
     }
     if (!study.speed.driven()) {
-      EXPECT_TRUE(std::isnan(fate.mean_speed));
+      EXPECT_TRUE(std::isnan(outcome.mean_speed));
     } else if (name == "stalled") {  // a coasting rotor keeps losing speed
-      EXPECT_LT(std::fabs(fate.mean_speed), study.stall_speed()) << "start " << i;
+      EXPECT_LT(std::fabs(outcome.mean_speed), study.stall_speed()) << "start " << i;
     } else {
       // Chaos changes a mean over hundreds of time units by about one per cent.
-      EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
+      EXPECT_NEAR(outcome.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
     }
   }
   EXPECT_LE(undecided, c.undecided);
@@ -168,7 +168,7 @@ TEST(SlowBalance, IsNotTakenForCapture) {
             "torque = {{ stall = \"{}\", no_load_speed = \"3000 rpm\" }}\n[numerics]\nhorizon = \"200 s\"\n",
             stall),
         "slow");
-    for (const Named& start : fates_of(study, 40)) EXPECT_EQ(start.name, "balanced") << stall;
+    for (const Named& start : outcomes_of(study, 40)) EXPECT_EQ(start.name, "balanced") << stall;
   }
 }
 
@@ -179,7 +179,7 @@ TEST(Backwards, IsTheMirrorImage) {
     const Study study = parse_study(
         text("damping = 0.5\ninertia = 0.5\n", "balls = 2\nmass = 0.05\ndrag = 0.05\n", motor(law)), "mirror");
     std::map<std::string, int> names;
-    for (const Named& start : fates_of(study, 300)) ++names[start.name];
+    for (const Named& start : outcomes_of(study, 300)) ++names[start.name];
     return names;
   };
   auto forwards = count("{ constant = 0.3, slope = -0.1 }"), backwards = count("{ constant = -0.3, slope = -0.1 }");
@@ -199,7 +199,7 @@ TEST(DryFriction, IsJudgedAlikeAtEveryHorizon) {
                     "speed = 2.73\n[sampling]\nseed = 6\n[numerics]\nhorizon = ") +
             horizon + "\n",
         "stiction");
-    EXPECT_EQ(fates_of(study, 56)[55].name, "balanced") << horizon;
+    EXPECT_EQ(outcomes_of(study, 56)[55].name, "balanced") << horizon;
   }
 }
 
@@ -212,7 +212,7 @@ TEST(Release, ThatIsNeverReachedIsSaid) {
                     "release");
     double latest = 0.0;
     equipoise::BasinOptions options;
-    options.fate = [&](const Fate& fate) { latest = std::max<double>(latest, fate.time); };
+    options.outcome = [&](const Outcome& outcome) { latest = std::max<double>(latest, outcome.time); };
     std::string note = equipoise::basin(study, options).note;
     const bool said = note.find("never released") != std::string::npos;
     bool warned = false;

@@ -167,14 +167,14 @@ TEST(MachineEnsemble, AWeakMotorStallsAndAStrongOneDoesNot) {
     text.replace(text.find("eccentricity = 0.01"), 19, "eccentricity = 0.05");
     text.replace(text.find("damping = 0.5"), 13, "damping = 0.1");
     const Study study = parse_study(text, "motor");
-    std::map<equipoise::Outcome, int> count;
+    std::map<equipoise::OutcomeKind, int> count;
     equipoise::BasinOptions options;
-    options.fate = [&](const equipoise::Fate& fate) { ++count[fate.outcome]; };
+    options.outcome = [&](const equipoise::Outcome& outcome) { ++count[outcome.kind]; };
     equipoise::basin(study, options);
     return count;
   };
-  EXPECT_EQ(outcomes(0.005)[equipoise::Outcome::stalled], 12);
-  EXPECT_EQ(outcomes(0.05)[equipoise::Outcome::stalled], 0);
+  EXPECT_EQ(outcomes(0.005)[equipoise::OutcomeKind::stalled], 12);
+  EXPECT_EQ(outcomes(0.05)[equipoise::OutcomeKind::stalled], 0);
 }
 
 }  // namespace machine_limits_test

@@ -82,8 +82,8 @@ std::vector<double> states_of(std::span<const OwnRotorStart> some, SpunUp& spun)
   task.states = spun.states.data();
   task.begins = spun.begins.data();
   task.own = own.data();
-  std::vector<Fate> fates(some.size());
-  EXPECT_TRUE(advance_batch(task, fates));
+  std::vector<Outcome> outcomes(some.size());
+  EXPECT_TRUE(advance_batch(task, outcomes));
   return spun.states;
 }
 
@@ -140,8 +140,8 @@ TEST(OwnRotorsThatHang, ComeToTheSameAlone) {
     ASSERT_TRUE(spin_up_own_rotors({&own[i], 1}, nullptr, alone));
     EXPECT_TRUE(together.is_over(i)) << i;
     EXPECT_TRUE(alone.is_over(0)) << i;
-    const Fate &one = alone.fates[0], &of_many = together.fates[i];
-    EXPECT_EQ(one.outcome, of_many.outcome) << i;
+    const Outcome &one = alone.outcomes[0], &of_many = together.outcomes[i];
+    EXPECT_EQ(one.kind, of_many.kind) << i;
     EXPECT_EQ(one.by, of_many.by) << i;
     EXPECT_EQ(one.time, of_many.time) << i;
     EXPECT_EQ(one.mean_speed, of_many.mean_speed) << i;

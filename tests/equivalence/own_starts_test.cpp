@@ -1,4 +1,4 @@
-// The caller's own starts: the same fates as drawn starts, on any thread and in chunks of any size; invalid
+// The caller's own starts: the same outcomes as drawn starts, on any thread and in chunks of any size; invalid
 // starts; and ensembles written from memory.
 #include <unistd.h>
 
@@ -99,9 +99,9 @@ std::string bits(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-void expect_same_fates(const StartArrays& a, const StartArrays& b) {
+void expect_same_outcomes(const StartArrays& a, const StartArrays& b) {
   ASSERT_EQ(a.starts, b.starts);
-  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.kind, b.kind);
   EXPECT_EQ(bits(a.phi), bits(b.phi));
   EXPECT_EQ(bits(a.decision_time), bits(b.decision_time));
   EXPECT_EQ(a.decided_by, b.decided_by);
@@ -115,13 +115,13 @@ std::uint64_t few(const std::string& kind) {
 
 class OwnStarts : public testing::TestWithParam<std::string> {};
 
-TEST_P(OwnStarts, HaveTheFatesOfDrawnOnesThatAreTheSame) {
+TEST_P(OwnStarts, HaveTheOutcomesOfDrawnOnesThatAreTheSame) {
   const Study study = study_of(GetParam(), few(GetParam()));
   BasinOptions options;
   options.keep_starts = true;
   options.searches = &searches;
   const BasinResult sampled = basin(study, options), own = with_starts(study, drawn(study));
-  expect_same_fates(*sampled.every_start, *own.every_start);
+  expect_same_outcomes(*sampled.every_start, *own.every_start);
   ASSERT_EQ(sampled.attractors.size(), own.attractors.size());
   for (std::size_t k = 0; k < own.attractors.size(); ++k) {
     EXPECT_EQ(own.attractors[k].name, sampled.attractors[k].name);
@@ -140,11 +140,12 @@ TEST_P(OwnStarts, AreMappedAsTheEnsembleDecidesThem) {
   const Mapper mapper(study);
   RunOptions three;
   three.threads = 3;
-  const std::vector<Fate> together = mapper(starts, three);
+  const std::vector<Outcome> together = mapper(starts, three);
   ASSERT_EQ(together.size(), starts.size());
-  const auto expect_one = [&](std::size_t i, const Fate& fate) {
-    EXPECT_EQ(fate.outcome == Outcome::attracted ? fate.attractor : 0, std::max<short>(own.every_start->outcome[i], 0));
-    EXPECT_EQ(fate.time, own.every_start->decision_time[i]) << i;
+  const auto expect_one = [&](std::size_t i, const Outcome& outcome) {
+    EXPECT_EQ(outcome.kind == OutcomeKind::attracted ? outcome.attractor : 0,
+              std::max<short>(own.every_start->outcome[i], 0));
+    EXPECT_EQ(outcome.time, own.every_start->decision_time[i]) << i;
   };
   for (std::size_t i = 0; i < starts.size(); ++i) expect_one(i, together[i]);
   for (const std::size_t i : {starts.size() - 1, starts.size() / 2}) expect_one(i, mapper(starts[i]));
@@ -163,11 +164,11 @@ TEST(OwnStartsAlone, KnowNoThreadsAndNoNeighbours) {
   const Study study = study_of("boxed", sized(2000, 200));
   std::vector<InitialState> starts = drawn(study);
   const BasinResult one = with_starts(study, starts, 1), three = with_starts(study, starts, 3);
-  expect_same_fates(*one.every_start, *three.every_start);
+  expect_same_outcomes(*one.every_start, *three.every_start);
   BasinOptions options;
   options.initial = starts;
   const StartReplay last = replay_start(study, starts.size() - 1, options);
-  EXPECT_EQ(last.fate.time, one.every_start->decision_time.back());
+  EXPECT_EQ(last.outcome.time, one.every_start->decision_time.back());
   EXPECT_THROW(replay_start(study, starts.size(), options), InputError);
   starts.erase(starts.begin(), starts.begin() + 77);
   const BasinResult rest = with_starts(study, starts, 2);
@@ -244,14 +245,14 @@ TEST(OwnStartsInAFile, AreResumedAndToldFromOthers) {
   options.keep_starts = true;
   StopFlag stop{false};
   options.stop = &stop;
-  options.fate = [&](const Fate&) { stop = true; };  // after the first chunk
+  options.outcome = [&](const Outcome&) { stop = true; };  // after the first chunk
   const BasinResult begun = basin(study, options);
   stop = false;
-  options.fate = nullptr;
+  options.outcome = nullptr;
   const BasinResult whole = basin(study, options), again = basin(study, options);
   EXPECT_EQ(whole.resumed_from, begun.starts);
   EXPECT_EQ(again.resumed_from, options.initial.size());
-  expect_same_fates(*whole.every_start, *with_starts(study, options.initial).every_start);
+  expect_same_outcomes(*whole.every_start, *with_starts(study, options.initial).every_start);
   const BasinOutcomes kept = read_basin_outcomes(options.output);
   EXPECT_EQ(kept.outcome, whole.every_start->outcome);
   EXPECT_NE(kept.own_starts, "");
@@ -317,7 +318,7 @@ TEST(MapperOfManyThreads, AnswersAsOfOne) {
   const Study study = study_of("boxed", sized(64, 16));
   const std::vector<InitialState> starts = drawn(study);
   const Mapper mapper(study);
-  std::vector<Fate> alone(starts.size()), together(starts.size());
+  std::vector<Outcome> alone(starts.size()), together(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) alone[i] = mapper(starts[i]);
   std::vector<std::thread> threads;
   for (std::size_t k = 0; k < 3; ++k)
@@ -330,7 +331,7 @@ TEST(MapperOfManyThreads, AnswersAsOfOne) {
     EXPECT_EQ(mapper.name(alone[i]), mapper.name(together[i]));
   }
   EXPECT_EQ(mapper.name(4711), "");
-  EXPECT_EQ(mapper.name(Fate{}), "undecided");
+  EXPECT_EQ(mapper.name(Outcome{}), "undecided");
   EXPECT_EQ(mapper.attractors().attractors().front().name, "balanced");
 }
 

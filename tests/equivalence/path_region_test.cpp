@@ -96,10 +96,10 @@ TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
   ASSERT_TRUE(runner.decide(0, count, decided));
   int caught = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Attractor* a = runner.catalogue().find(decided.fates[i].attractor);
+    const Attractor* a = runner.catalogue().find(decided.outcomes[i].attractor);
     ASSERT_TRUE(a) << i;
     if (a->name != "locked" && a->name != "both captured") continue;
-    caught += decided.fates[i].by == DecidedBy::validated && decided.fates[i].time < 400.0;
+    caught += decided.outcomes[i].by == DecidedBy::validated && decided.outcomes[i].time < 400.0;
     Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
     state[4] = decided.phi[2 * i];
     state[5] = decided.phi[2 * i + 1];
@@ -112,16 +112,16 @@ TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
 }
 
 // A lane from a state, under a rule.
-Fate decided(const model::System& system, Eigen::VectorXd state, const ClassificationRule& rule,
-             std::vector<PilotRecord>* records) {
+Outcome decided(const model::System& system, Eigen::VectorXd state, const ClassificationRule& rule,
+                std::vector<PilotRecord>* records) {
   BatchTask task = batch_task(system);
   task.end = 1000.0;
   task.tolerance = 1e-8;
   task.count = 1;
   task.states = state.data();
-  std::vector<Fate> fates(1);
-  EXPECT_TRUE(classify_batch(task, rule, fates, records));
-  return fates[0];
+  std::vector<Outcome> outcomes(1);
+  EXPECT_TRUE(classify_batch(task, rule, outcomes, records));
+  return outcomes[0];
 }
 
 // Of the paper's rotor, which balances as well.
@@ -144,11 +144,11 @@ TEST_F(OfARotorThatBalances, IsWatchedInAudits) {
   all.high.fill(1e300);
   rule.boxes = {all};
   std::vector<PilotRecord> records(1);
-  const Fate at_once = decided(system, motion.state, rule, &records);
+  const Outcome at_once = decided(system, motion.state, rule, &records);
   EXPECT_EQ(at_once.attractor, 3);
   EXPECT_LT(at_once.time, 10.0);  // the first half window
   rule.blind = true;
-  const Fate watched = decided(system, motion.state, rule, &records);
+  const Outcome watched = decided(system, motion.state, rule, &records);
   EXPECT_EQ(watched.attractor, 3);
   EXPECT_EQ(watched.by, DecidedBy::validated);
   // Half windows end with a step, slightly late.

@@ -71,13 +71,13 @@ TEST_P(SmoothLanes, FollowStartsAsDoublesDo) {
   task.count = starts;
   task.states = spun.states.data();
   if (!spun.begins.empty()) task.begins = spun.begins.data();
-  std::vector<Fate> fates(starts);
-  ASSERT_TRUE(advance_batch(task, fates));
+  std::vector<Outcome> outcomes(starts);
+  ASSERT_TRUE(advance_batch(task, outcomes));
   const auto size = static_cast<std::size_t>(system.dimension());
   ASSERT_EQ(spun.states.size(), starts * size);
   const Eigen::VectorXd scale = system.scale();
   for (std::size_t i = 0; i < starts; ++i) {
-    ASSERT_EQ(fates[i].outcome, Outcome::undecided);
+    ASSERT_EQ(outcomes[i].kind, OutcomeKind::undecided);
     ASSERT_FALSE(spun.is_over(i));
     const Reference reference = one_by_one(study, i, until);
     for (std::size_t k = 0; k < size; ++k)
@@ -103,8 +103,8 @@ TEST(SmoothLanesAlone, GiveTheSameBits) {
     task.count = count;
     task.states = spun.states.data();
     task.begins = spun.begins.data();
-    std::vector<Fate> fates(count);
-    EXPECT_TRUE(advance_batch(task, fates));
+    std::vector<Outcome> outcomes(count);
+    EXPECT_TRUE(advance_batch(task, outcomes));
     return spun.states;
   };
   const std::vector<double> together = run(0, starts);
@@ -124,11 +124,12 @@ TEST(HeldBalls, OfAMotorThatIsTooWeakAreNeverLetGo) {
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_TRUE(spun.is_over(i));
     // Vibration takes torque, and the motor has none at its no-load speed.
-    EXPECT_LT(spun.fates[i].mean_speed, 2.0);
-    EXPECT_LT(spun.fates[i].time, 60000.0) << "told before the horizon";
+    EXPECT_LT(spun.outcomes[i].mean_speed, 2.0);
+    EXPECT_LT(spun.outcomes[i].time, 60000.0) << "told before the horizon";
     EXPECT_LT(spun.nearest[i], 2.0);
     const double stall = study.stall_speed();
-    EXPECT_EQ(spun.fates[i].outcome, spun.fates[i].mean_speed < stall ? Outcome::stalled : Outcome::undecided);
+    EXPECT_EQ(spun.outcomes[i].kind,
+              spun.outcomes[i].mean_speed < stall ? OutcomeKind::stalled : OutcomeKind::undecided);
   }
 }
 

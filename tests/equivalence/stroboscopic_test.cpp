@@ -37,17 +37,17 @@ Study paper_rotor(double gravity, std::array<double, 2> stiffness) {
   return study;
 }
 
-std::vector<Fate> fates_of(const Session& runner, RunCatalogue& catalogue, std::size_t count) {
+std::vector<Outcome> outcomes_of(const Session& runner, RunCatalogue& catalogue, std::size_t count) {
   Decided decided;
   EXPECT_TRUE(runner.decide(0, count, decided));
   catalogue.settle(decided);
-  return decided.fates;
+  return decided.outcomes;
 }
 
 // Names without what distinguishes a modulated motion from its plain form: gravity turns "co-drifting" into
 // "co-drifting, quasi-periodic".
-std::string plain_name(const Catalogue& catalogue, const Fate& fate) {
-  const Attractor* a = catalogue.find(fate.attractor);
+std::string plain_name(const Catalogue& catalogue, const Outcome& outcome) {
+  const Attractor* a = catalogue.find(outcome.attractor);
   return a ? a->name.substr(0, a->name.find(',')) : "";
 }
 
@@ -115,7 +115,7 @@ TEST(Stroboscopic, WeakGravityAndAnisotropyChangeNextToNothing) {
   Session plain(paper_rotor(0.0, {1.0, 1.0}), {.threads = 2}),
       weak(paper_rotor(1e-6, {1.0, 1.0 + 1e-6}), {.threads = 2});
   RunCatalogue of_plain(plain), of_weak(weak);
-  const auto before = fates_of(plain, of_plain, count), after = fates_of(weak, of_weak, count);
+  const auto before = outcomes_of(plain, of_plain, count), after = outcomes_of(weak, of_weak, count);
   std::size_t other = 0, undecided = 0;
   for (std::size_t i = 0; i < count; ++i) {
     undecided += after[i].attractor == 0;
@@ -148,11 +148,11 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
     EXPECT_TRUE(balanced->motion.stable);
     EXPECT_EQ(balanced->motion.kind, study.parameters.gravity == 0.0 ? MotionKind::equilibrium : MotionKind::periodic);
     RunCatalogue catalogue(runner);
-    const auto early = fates_of(runner, catalogue, count);
+    const auto early = outcomes_of(runner, catalogue, count);
     StartSource source(study, nullptr);
     SpunUp starts;
     ASSERT_TRUE(source.make(study.sampling.seed, 0, count, starts));
-    std::vector<Fate>& late = starts.fates;
+    std::vector<Outcome>& late = starts.outcomes;
     ClassificationRule rule = runner.rule();
     rule.at_horizon = true;
     BatchTask task = source.task(0, starts.states);
@@ -171,13 +171,13 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
   }
 }
 
-std::vector<Fate> fates_on(const Study& study, int threads) {
-  std::vector<Fate> fates;
+std::vector<Outcome> outcomes_on(const Study& study, int threads) {
+  std::vector<Outcome> outcomes;
   BasinOptions options;
   options.threads = threads;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   basin(study, options);
-  return fates;
+  return outcomes;
 }
 
 // Two unequal balls with gravity and anisotropic supports; three unequal balls on anisotropic supports, whose balance
@@ -194,13 +194,13 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
   three.speed.speed = 3.0;
   three.sampling.starts = two.sampling.starts;
   for (const Study& study : {two, three}) {
-    const std::vector<Fate> one = fates_on(study, 1), shared = fates_on(study, 2);
+    const std::vector<Outcome> one = outcomes_on(study, 1), shared = outcomes_on(study, 2);
     ASSERT_EQ(one.size(), study.sampling.starts);
     ASSERT_EQ(shared.size(), one.size());
     std::size_t decided = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {
-      decided += one[i].outcome == Outcome::attracted;
-      EXPECT_EQ(one[i].outcome, shared[i].outcome) << i;
+      decided += one[i].kind == OutcomeKind::attracted;
+      EXPECT_EQ(one[i].kind, shared[i].kind) << i;
       EXPECT_EQ(one[i].attractor, shared[i].attractor) << i;
       EXPECT_EQ(one[i].time, shared[i].time) << i;
       EXPECT_EQ(one[i].by, shared[i].by) << i;
@@ -208,8 +208,8 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
     EXPECT_GE(decided, one.size() * 9 / 10);     // bits of undecided starts show nothing about decisions
     const std::uint64_t index = sized(311, 31);  // in the middle: each single start costs another search
     const StartReplay alone = replay_start(study, index);
-    EXPECT_EQ(alone.fate.attractor, one[index].attractor);
-    EXPECT_EQ(alone.fate.time, one[index].time);
+    EXPECT_EQ(alone.outcome.attractor, one[index].attractor);
+    EXPECT_EQ(alone.outcome.time, one[index].time);
   }
 }
 

@@ -1,4 +1,4 @@
-// What a tilting rotor comes to, next to equations and trajectories in fixed axes: equilibria, eigenvalues, fates.
+// What a tilting rotor comes to, next to equations and trajectories in fixed axes: equilibria, eigenvalues, outcomes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,18 +177,18 @@ speed = 4.5
 [numerics]
 horizon = 300
 )";
-  const auto found = [&](const std::vector<std::string>& overrides, std::vector<Fate>& fates) {
+  const auto found = [&](const std::vector<std::string>& overrides, std::vector<Outcome>& outcomes) {
     AttractorsOptions options;
     options.starts = 32;
-    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
     return attractors(parse_study(plane, "plane", overrides), options);
   };
-  std::vector<Fate> fates_without, fates_with;
-  const AttractorsResult without = found({}, fates_without),
+  std::vector<Outcome> outcomes_without, outcomes_with;
+  const AttractorsResult without = found({}, outcomes_without),
                          with = found({"rotor.tilt={ transverse_inertia = 3.25, polar_inertia = 0.5, stiffness = [0, "
                                        "9], damping = [0, 4.5] }",
                                        "balancer.plane=0"},
-                                      fates_with);
+                                      outcomes_with);
   ASSERT_EQ(with.attractors.size(), without.attractors.size());
   for (std::size_t k = 0; k < with.attractors.size(); ++k) {
     const Attractor &a = without.attractors[k], &b = with.attractors[k];
@@ -200,28 +200,28 @@ horizon = 300
     if (!a.continuum) continue;
     EXPECT_EQ(b.continuum->share(), a.continuum->share());
   }
-  ASSERT_EQ(fates_with.size(), fates_without.size());
-  for (std::size_t i = 0; i < fates_with.size(); ++i) {
-    EXPECT_EQ(fates_with[i].outcome, fates_without[i].outcome) << i;
-    EXPECT_EQ(fates_with[i].attractor, fates_without[i].attractor) << i;
+  ASSERT_EQ(outcomes_with.size(), outcomes_without.size());
+  for (std::size_t i = 0; i < outcomes_with.size(); ++i) {
+    EXPECT_EQ(outcomes_with[i].kind, outcomes_without[i].kind) << i;
+    EXPECT_EQ(outcomes_with[i].attractor, outcomes_without[i].attractor) << i;
   }
 }
 
 // Balls that lag at first are caught, or not, by the two races' unbalance. Followed until long after that in fixed
 // axes, as many drift as the label of the start says; where it says locked, the rotor is where that equilibrium is.
-void same_fates_in_fixed_axes(std::uint64_t starts) {
+void same_outcomes_in_fixed_axes(std::uint64_t starts) {
   Study s = study({"rotor.damping=0.1", "rotor.tilt.damping=[0, 0.9]", "balancer.drag=0.05", "speed.speed=3",
                    "balancer.mass=0.0025", "initial.phi_dot=-1.5"});
   s.sampling.starts = starts;
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   BasinOptions options;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   Catalogue catalogue;
   basin(s, options, &catalogue);
-  ASSERT_EQ(fates.size(), starts);
+  ASSERT_EQ(outcomes.size(), starts);
   std::uint64_t locked = 0, drifting = 0;
-  for (std::size_t i = 0; i < fates.size(); ++i) {
-    const Attractor* attractor = catalogue.find(fates[i].attractor);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Attractor* attractor = catalogue.find(outcomes[i].attractor);
     ASSERT_TRUE(attractor) << i;
     Study own = s;
     own.initial = start_of(s, i);
@@ -238,8 +238,8 @@ void same_fates_in_fixed_axes(std::uint64_t starts) {
   EXPECT_GT(drifting, starts / 2);
 }
 
-TEST(TiltFates, AreThoseOfFixedAxes) { same_fates_in_fixed_axes(40); }
-TEST(TiltFates, OfTwoHundredAreThoseOfFixedAxes) { same_fates_in_fixed_axes(200); }
+TEST(TiltOutcomes, AreThoseOfFixedAxes) { same_outcomes_in_fixed_axes(40); }
+TEST(TiltOutcomes, OfTwoHundredAreThoseOfFixedAxes) { same_outcomes_in_fixed_axes(200); }
 
 // How many balls drift in fixed axes; none for a transient so sensitive that the tolerance decides.
 std::optional<int> drifting_for_certain(const Study& own) {
@@ -250,7 +250,7 @@ std::optional<int> drifting_for_certain(const Study& own) {
 }
 
 // Balls held through a ramp; and a motor on supports that differ in X and Y, with balls that lag at first.
-TEST(TiltFates, AfterARampAndUnderAMotorAreThoseOfFixedAxes) {
+TEST(TiltOutcomes, AfterARampAndUnderAMotorAreThoseOfFixedAxes) {
   const std::vector<std::string> ramp{"rotor.damping=0.2", "rotor.tilt.damping=[0, 1.8]",
                                       "speed={ profile = \"ramp\", initial = 0.0, final = 3.5, duration = 20 }"};
   const std::vector<std::string> motor{
@@ -265,16 +265,16 @@ TEST(TiltFates, AfterARampAndUnderAMotorAreThoseOfFixedAxes) {
     for (const char* key : {"balancer.drag=0.05", "numerics.tolerance=1e-11", "sampling.starts=8"})
       overrides.push_back(key);
     const Study s = study(overrides);
-    std::vector<Fate> fates;
+    std::vector<Outcome> outcomes;
     BasinOptions options;
-    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
     Catalogue catalogue;
     basin(s, options, &catalogue);
-    ASSERT_EQ(fates.size(), s.sampling.starts);
+    ASSERT_EQ(outcomes.size(), s.sampling.starts);
     std::set<int> kinds;
     int certain = 0;
-    for (std::size_t i = 0; i < fates.size(); ++i) {
-      const Attractor* attractor = catalogue.find(fates[i].attractor);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const Attractor* attractor = catalogue.find(outcomes[i].attractor);
       ASSERT_TRUE(attractor) << i;
       Study own = s;
       own.initial = start_of(s, i);

@@ -137,21 +137,21 @@ TEST(TiltCertificate, SaysWhyThereIsNone) {
 
 // Decided by proof alone, starts come to what they come to otherwise, and those that balance are proved to.
 TEST(TiltCertificate, DecidesStarts) {
-  const auto fates_of = [](const char* decide) {
+  const auto outcomes_of = [](const char* decide) {
     std::vector<std::pair<std::string, DecidedBy>> told;
-    std::vector<Fate> fates;
+    std::vector<Outcome> outcomes;
     BasinOptions options;
-    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
     Catalogue catalogue;
     basin(long_rotor_with(damped({"speed.speed=4", "sampling.starts=24", std::string("numerics.decide=") + decide})),
           options, &catalogue);
-    for (const Fate& fate : fates) {
-      const Attractor* a = catalogue.find(fate.attractor);
-      told.emplace_back(a ? a->name : "", fate.by);
+    for (const Outcome& outcome : outcomes) {
+      const Attractor* a = catalogue.find(outcome.attractor);
+      told.emplace_back(a ? a->name : "", outcome.by);
     }
     return told;
   };
-  const auto validated = fates_of("validated"), proof = fates_of("proof");
+  const auto validated = outcomes_of("validated"), proof = outcomes_of("proof");
   ASSERT_EQ(validated.size(), proof.size());
   int proved = 0;
   for (std::size_t i = 0; i < proof.size(); ++i) {

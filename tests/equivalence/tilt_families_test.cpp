@@ -31,7 +31,7 @@ std::optional<Motion> motion_of(const Study& known) {
 }
 
 // Starts of an uncertain study, each followed by itself on the rotor that it drew.
-void expect_fates_of_known_rotors(const std::vector<std::string>& keys, const std::vector<std::string>& outcomes) {
+void expect_outcomes_of_known_rotors(const std::vector<std::string>& keys, const std::vector<std::string>& outcomes) {
   constexpr std::size_t starts = 24;
   const Study study = with_horizon(long_rotor_with(keys));
   Session runner(study, {});
@@ -41,7 +41,7 @@ void expect_fates_of_known_rotors(const std::vector<std::string>& keys, const st
   catalogue.settle(decided);
   std::vector<int> met(outcomes.size());
   for (std::size_t k = 0; k < starts; ++k) {
-    const Attractor* a = catalogue.find(decided.fates[k].attractor);
+    const Attractor* a = catalogue.find(decided.outcomes[k].attractor);
     ASSERT_TRUE(a) << k;
     Study known = runner.family()->at(runner.family()->values_at(runner.fractions_of(k)));
     std::copy_n(&decided.phi[4 * k], 4, known.initial.phi.begin());
@@ -62,16 +62,16 @@ std::vector<std::string> drawing(const std::string& mass, std::vector<std::strin
 
 // Balls lighter than 0.002615 cannot balance: (22) of Rodrigues and others (2008).
 TEST(TiltFamilies, StartsComeToWhatTheirRotorsComeTo) {
-  expect_fates_of_known_rotors(drawing("[0.002, 0.003]", {}), {"balanced", "locked (2 together)"});
+  expect_outcomes_of_known_rotors(drawing("[0.002, 0.003]", {}), {"balanced", "locked (2 together)"});
 }
 
 TEST(TiltFamilies, SoDoStartsUnderGravity) {
-  expect_fates_of_known_rotors(drawing("[0.0045, 0.0055]", {"rotor.gravity=0.01"}), {"balanced"});
+  expect_outcomes_of_known_rotors(drawing("[0.0045, 0.0055]", {"rotor.gravity=0.01"}), {"balanced"});
 }
 
 // Held through a ramp, each on its rotor.
 TEST(TiltFamilies, SoDoStartsWhoseBallsAreHeld) {
-  expect_fates_of_known_rotors(
+  expect_outcomes_of_known_rotors(
       drawing("[0.002, 0.003]", {"speed={ profile = \"ramp\", initial = 0.0, final = 3.5, duration = 20 }"}),
       {"balanced"});
 }

@@ -1,4 +1,4 @@
-// Trajectories, fates and eigenvalues of a tilting rotor in fixed axes.
+// Trajectories, outcomes and eigenvalues of a tilting rotor in fixed axes.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tilting rotors under a motor: fates and transients are those of trajectories in fixed axes.
+// Tilting rotors under a motor: outcomes and transients are those of trajectories in fixed axes.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -48,7 +48,7 @@ TEST(TiltMotor, TransientsAreThoseOfFixedAxes) {
     ClassificationRule rule;
     rule.balls = study.parameters.balls;
     rule.at_horizon = true;
-    ASSERT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
+    ASSERT_TRUE(classify_batch(task, rule, starts.outcomes, nullptr));
     for (std::size_t i = 0; i < count; ++i) {
       start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
       const TransientRow expected =
@@ -62,23 +62,23 @@ TEST(TiltMotor, TransientsAreThoseOfFixedAxes) {
 }
 
 // A motor from rest that reaches its speed in a few turns, and balls that lag behind it.
-TEST(TiltMotor, FatesAreThoseOfFixedAxes) {
+TEST(TiltMotor, OutcomesAreThoseOfFixedAxes) {
   const Study s =
       long_rotor_with({"rotor.damping=0.1", "rotor.tilt.damping=[0, 0.9]", "balancer.drag=0.05", "balancer.mass=0.0025",
                        "initial.phi_dot=-1.5", "numerics.tolerance=1e-11", "sampling.starts=6",
                        "speed={ profile = \"torque\", initial = 3.0, torque = { constant = 0.7, slope = "
                        "-0.2 } }"});
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   BasinOptions options;
   options.transients = true;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   Catalogue catalogue;
   const BasinResult result = basin(s, options, &catalogue);
-  ASSERT_EQ(fates.size(), s.sampling.starts);
+  ASSERT_EQ(outcomes.size(), s.sampling.starts);
   ASSERT_TRUE(result.transients);
   EXPECT_EQ(result.transients->lost, 0u);
-  for (std::size_t i = 0; i < fates.size(); ++i) {
-    const Attractor* attractor = catalogue.find(fates[i].attractor);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Attractor* attractor = catalogue.find(outcomes[i].attractor);
     ASSERT_TRUE(attractor) << i;
     Study own = s;
     own.initial = start_of(s, i);

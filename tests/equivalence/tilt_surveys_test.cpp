@@ -214,8 +214,8 @@ TEST(TiltMaps, PixelsComeToWhatTheirStartsComeTo) {
   const BasinSlice map = basin_slice(s, settings);
   EXPECT_NEAR(map.balance_margin.front(), 2.0 * (0.0025 - 0.00261500), 1e-6);
   BasinOptions options;
-  std::vector<Fate> fates;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  std::vector<Outcome> outcomes;
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   for (int row = 0; row < 5; ++row)
     for (int column = 0; column < 5; ++column) {
       options.initial.push_back(s.initial);
@@ -224,14 +224,14 @@ TEST(TiltMaps, PixelsComeToWhatTheirStartsComeTo) {
     }
   Catalogue catalogue;
   basin(s, options, &catalogue);
-  ASSERT_EQ(fates.size(), map.code.size());
+  ASSERT_EQ(outcomes.size(), map.code.size());
   std::set<short> codes(map.code.begin(), map.code.end());
   EXPECT_GT(codes.size(), 2u);
-  for (std::size_t k = 0; k < fates.size(); ++k) {
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
     const auto code =
         std::find_if(map.codes.begin(), map.codes.end(), [&](const OutcomeShare& c) { return c.id == map.code[k]; });
     ASSERT_NE(code, map.codes.end());
-    const Attractor* alone = catalogue.find(fates[k].attractor);
+    const Attractor* alone = catalogue.find(outcomes[k].attractor);
     EXPECT_EQ(code->name, alone ? alone->name : "undecided") << k;
     if (k % 3 != 0 || !alone) continue;
     Study own = s;

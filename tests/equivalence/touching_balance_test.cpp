@@ -104,9 +104,9 @@ TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
   Decided decided;
   ASSERT_TRUE(runner.decide(0, count, decided));
   EXPECT_TRUE(decided.unlisted.empty());
-  for (const Fate& fate : decided.fates) {
-    EXPECT_EQ(fate.outcome, Outcome::attracted);
-    EXPECT_EQ(fate.attractor, balanced_id);
+  for (const Outcome& outcome : decided.outcomes) {
+    EXPECT_EQ(outcome.kind, OutcomeKind::attracted);
+    EXPECT_EQ(outcome.attractor, balanced_id);
   }
   for (std::size_t i = 0; i < 2; ++i) {
     std::copy_n(&decided.phi[i * 6], 6, study.initial.phi.begin());
@@ -129,7 +129,7 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
   passing.parameters.contact_angle = 0.0;
   std::vector<InitialState> begins;  // with room
   for (std::size_t i = 0; i < starts; ++i) begins.push_back(start_of(touching, 1, i));
-  const auto states_of = [&](const Study& study, std::vector<Fate>& fates) {
+  const auto states_of = [&](const Study& study, std::vector<Outcome>& outcomes) {
     const auto source = make_spin_up(with_horizon(study), nullptr);
     SpunUp spun;
     EXPECT_TRUE(source->follow(begins, spun));
@@ -137,12 +137,12 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
     task.end = 20.0;
     task.count = starts;
     task.states = spun.states.data();
-    fates.assign(starts, Fate{});
-    EXPECT_TRUE(advance_batch(task, fates));
+    outcomes.assign(starts, Outcome{});
+    EXPECT_TRUE(advance_batch(task, outcomes));
     return spun.states;
   };
-  std::vector<Fate> fates, none;
-  const std::vector<double> with = states_of(touching, fates), without = states_of(passing, none);
+  std::vector<Outcome> outcomes, none;
+  const std::vector<double> with = states_of(touching, outcomes), without = states_of(passing, none);
   const std::size_t size = with.size() / starts;
   std::size_t met = 0;
   for (std::size_t i = 0; i < starts; ++i) {
@@ -150,9 +150,9 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
     double apart = 0.0;
     for (std::size_t k = 0; k < size; ++k)
       apart = std::max(apart, std::fabs(with[i * size + k] - without[i * size + k]));
-    met += fates[i].met;
+    met += outcomes[i].met;
     // Lanes of other kinds round differently; colliding balls lose half their speed.
-    EXPECT_EQ(fates[i].met, apart > 1e-4) << i << " " << apart;
+    EXPECT_EQ(outcomes[i].met, apart > 1e-4) << i << " " << apart;
   }
   EXPECT_GT(met, starts / 10);
   EXPECT_LT(met, 9 * starts / 10);

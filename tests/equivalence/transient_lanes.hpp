@@ -29,7 +29,7 @@ inline std::vector<TransientRow> gathered(const Study& study, const TransientSet
   ClassificationRule rule;
   rule.balls = study.parameters.balls;
   rule.at_horizon = true;
-  EXPECT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
+  EXPECT_TRUE(classify_batch(task, rule, starts.outcomes, nullptr));
   std::vector<TransientRow> rows;
   for (const TransientSums& sums : table.rows) rows.push_back(transient_row(asked, sums, false));
   return rows;

@@ -315,7 +315,7 @@ TEST(BasinTransients, TellsAttractorsApart) {
   // A single start replayed is the same start.
   const StartReplay alone = replay_start(ensemble(600), 5, options(1));
   ASSERT_TRUE(alone.transients);
-  EXPECT_GT(alone.transients->followed_until, alone.fate.time);
+  EXPECT_GT(alone.transients->followed_until, alone.outcome.time);
 }
 
 const SampleSummary& figure_of(const TransientGroup& group, const char* name) {

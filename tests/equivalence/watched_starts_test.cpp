@@ -34,10 +34,10 @@ TEST(Mapper, GivesStartsTheBitsOfBasinInWhateverPieces) {
   const Mapper mapper(study, options);
   for (const auto& [first, count] : {std::pair{500u, 200u}, std::pair{0u, 37u}, std::pair{37u, 463u}}) {
     const Decided ended = mapper.starts(first, count);
-    ASSERT_EQ(ended.fates.size(), count);
+    ASSERT_EQ(ended.outcomes.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(code_of(ended.fates[i]), whole.outcome[first + i]);
-      EXPECT_EQ(ended.fates[i].time, whole.decision_time[first + i]);
+      EXPECT_EQ(code_of(ended.outcomes[i]), whole.outcome[first + i]);
+      EXPECT_EQ(ended.outcomes[i].time, whole.decision_time[first + i]);
       EXPECT_EQ(ended.transients[i].peak_radial, (*whole.transient("peak_radial"))[first + i]);
       for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(ended.phi[2 * i + b], whole.phi[2 * (first + i) + b]);
     }
@@ -56,20 +56,20 @@ TEST(Mapper, GivesAnglesTheBitsOfStates) {
     states.push_back(s);
     phi.insert(phi.end(), {s.phi[0], s.phi[1]});
   }
-  const std::vector<Fate> expected = mapper(states);
+  const std::vector<Outcome> expected = mapper(states);
   const Decided ended = mapper.at_angles(phi);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    EXPECT_EQ(code_of(ended.fates[i]), code_of(expected[i]));
-    EXPECT_EQ(ended.fates[i].time, expected[i].time);
+    EXPECT_EQ(code_of(ended.outcomes[i]), code_of(expected[i]));
+    EXPECT_EQ(ended.outcomes[i].time, expected[i].time);
   }
 }
 
 TEST(Mapper, BallsThatOverlapMakeNoStart) {
   const Mapper mapper(parse_study(constant_speed, "rotor", {"balancer.contact_angle=0.3"}));
   const Decided ended = mapper.at_angles({1.0, 1.1, 1.0, 4.0});
-  EXPECT_EQ(ended.fates[0].outcome, Outcome::failed);
-  EXPECT_TRUE(std::isnan(ended.fates[0].time));
-  EXPECT_EQ(ended.fates[1].outcome, Outcome::attracted);
+  EXPECT_EQ(ended.outcomes[0].kind, OutcomeKind::failed);
+  EXPECT_TRUE(std::isnan(ended.outcomes[0].time));
+  EXPECT_EQ(ended.outcomes[1].kind, OutcomeKind::attracted);
 }
 
 TEST(Mapper, RefusesWhatBasinRefuses) {

@@ -102,10 +102,10 @@ void own_methods(const equipoise::Study& study) {
   for (std::uint64_t i = 0; i < 50; ++i) options.initial.push_back(equipoise::start_of(study, i));
   const equipoise::BasinResult answer = equipoise::basin(study, options);
   const equipoise::Mapper mapper(study);
-  const std::vector<equipoise::Fate> fates = mapper(options.initial);
-  expect(answer.starts == 50 && fates[7].time == answer.every_start->decision_time[7],
+  const std::vector<equipoise::Outcome> outcomes = mapper(options.initial);
+  expect(answer.starts == 50 && outcomes[7].time == answer.every_start->decision_time[7],
          "starts of one's own are decided");
-  expect(mapper.name(mapper(options.initial[7])) == mapper.name(fates[7]), "a state is told by name");
+  expect(mapper.name(mapper(options.initial[7])) == mapper.name(outcomes[7]), "a state is told by name");
   equipoise::write_basin_file("outside.nc", answer);
   expect(equipoise::inspect_file("outside.nc").kind == "basin", "an ensemble is written down from memory");
   std::remove("outside.nc");

@@ -1,6 +1,7 @@
 // The code published with Mirkov and others (2026) has the ball's coupling to the rotor's acceleration with the wrong
-// sign. Both systems, theirs by a switch that only this test has: the energy that it makes and the fates that it turns
-// round. Own equations in SI units, after Lagrange, with that one sign open; only rates are compared with the program.
+// sign. Both systems, theirs by a switch that only this test has: the energy that it makes and the outcomes that it
+// turns round. Own equations in SI units, after Lagrange, with that one sign open; only rates are compared with the
+// program.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -204,7 +205,7 @@ TEST(ReversedSign, TurnsTheRatesNearBalanceRound) {
 }
 
 // Six pairs of the sixty: all of them by 95 % of shares above 61 %.
-TEST(ReversedSign, TurnsTheFatesRound) {
+TEST(ReversedSign, TurnsTheOutcomesRound) {
   constexpr double w = 12.0, horizon = 10000.0;  // fifteen of the slowest time constants
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);

@@ -17,8 +17,8 @@ constexpr std::uint64_t first = 17, limit = 20000;
 
 // A start's only data is its number.
 void number(Chunk& chunk) {
-  chunk.fates.resize(chunk.count);
-  for (std::size_t i = 0; i < chunk.count; ++i) chunk.fates[i].time = static_cast<double>(chunk.first + i);
+  chunk.outcomes.resize(chunk.count);
+  for (std::size_t i = 0; i < chunk.count; ++i) chunk.outcomes[i].time = static_cast<double>(chunk.first + i);
 }
 
 bool number_slowly(Chunk& chunk) {
@@ -32,7 +32,7 @@ struct Row {
   std::vector<double> numbers;
 
   void take(const Chunk& chunk) {
-    for (const Fate& fate : chunk.fates) numbers.push_back(fate.time);
+    for (const Outcome& outcome : chunk.outcomes) numbers.push_back(outcome.time);
   }
   std::optional<std::size_t> first_wrong(std::uint64_t end) const {
     for (std::size_t k = 0; k < end - first; ++k)

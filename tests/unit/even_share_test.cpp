@@ -34,10 +34,10 @@ Tally tally_of(const Sampler& sampler, std::uint64_t seed, std::uint64_t starts,
   for (std::uint64_t i = 0; i < starts; ++i) {
     double phi[2];
     sampler.angles(seed, i, phi);
-    Fate fate;
-    fate.outcome = Outcome::attracted;
-    fate.attractor = inside(phi[0] / two_pi, phi[1] / two_pi) ? 1 : 2;
-    tally.add(fate);
+    Outcome outcome;
+    outcome.kind = OutcomeKind::attracted;
+    outcome.attractor = inside(phi[0] / two_pi, phi[1] / two_pi) ? 1 : 2;
+    tally.add(outcome);
   }
   return tally;
 }
@@ -54,7 +54,7 @@ Coverage coverage(SamplingMethod method, bool exchange, std::uint64_t starts, co
   Coverage result;
   for (int trial = 0; trial < trials; ++trial) {
     const Share s =
-        tally_of(sampler, 1000 + static_cast<std::uint64_t>(trial), count, inside).share(Outcome::attracted, 1);
+        tally_of(sampler, 1000 + static_cast<std::uint64_t>(trial), count, inside).share(OutcomeKind::attracted, 1);
     result.covered += (s.low <= truth && truth <= s.high) / double(trials);
     result.error += (s.share - truth) * (s.share - truth) / trials;
     result.claimed += s.standard_error * s.standard_error / trials;
@@ -125,15 +125,15 @@ TEST(EvenShares, FoldedGridIntervalsCoverDiscsAsOftenAsTheySay) {
 TEST(EvenShares, IntervalsNeverCollapse) {
   const Set half = [](double x, double) { return x < 0.5; };
   const Sampler sobol(SamplingMethod::sobol, 2, 4096, false), grid(SamplingMethod::grid, 2, 2 * 40 * 40, false);
-  const Share even = tally_of(sobol, 1, 4096, half).share(Outcome::attracted, 1);
+  const Share even = tally_of(sobol, 1, 4096, half).share(OutcomeKind::attracted, 1);
   EXPECT_EQ(even.share, 0.5);
   EXPECT_EQ(even.by, IntervalBy::replicates);
   EXPECT_NEAR(even.half_width(), (1.0 - std::pow(0.05, 1.0 / 16)) / 256, 1e-15);
-  const Share cells = tally_of(grid, 1, 3200, half).share(Outcome::attracted, 1);
+  const Share cells = tally_of(grid, 1, 3200, half).share(OutcomeKind::attracted, 1);
   EXPECT_EQ(cells.share, 0.5);
   EXPECT_EQ(cells.by, IntervalBy::wilson);  // no cell is split
   EXPECT_GT(cells.half_width(), 0.01);
-  const Share none = tally_of(sobol, 1, 4096, [](double, double) { return false; }).share(Outcome::attracted, 1);
+  const Share none = tally_of(sobol, 1, 4096, [](double, double) { return false; }).share(OutcomeKind::attracted, 1);
   EXPECT_EQ(none.low, 0.0);
   EXPECT_EQ(none.high, wilson_share(0, 4096).high);
 }
@@ -142,7 +142,7 @@ TEST(EvenShares, AnUnfinishedGridIsASampleOfItsCells) {
   const Sampler grid(SamplingMethod::grid, 2, 8192, true);
   int covered = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Share s = tally_of(grid, seed, 2000, mirrored_discs(0.2)).share(Outcome::attracted, 1);
+    const Share s = tally_of(grid, seed, 2000, mirrored_discs(0.2)).share(OutcomeKind::attracted, 1);
     EXPECT_EQ(s.by, IntervalBy::wilson);
     covered += s.low <= 0.2 && 0.2 <= s.high;
   }

@@ -35,11 +35,11 @@ double lane_nanoseconds() {
   const model::Parameters p = paper_rotor().parameters;
   constexpr int count = 256;
   std::vector<double> states = starts(count);
-  std::vector<Fate> fates(count);
+  std::vector<Outcome> outcomes(count);
   BatchWork work;
   BatchTask task{&p, constant_speed, until, 1e-6, count, states.data(), nullptr, &work};
   const double begin = seconds();
-  EXPECT_TRUE(advance_batch(task, fates));
+  EXPECT_TRUE(advance_batch(task, outcomes));
   const double spent = seconds() - begin;
   EXPECT_GT(work.accepted, 0u);
   return 1e9 * spent / static_cast<double>(work.evaluations(count));

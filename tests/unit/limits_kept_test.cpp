@@ -35,9 +35,9 @@ struct Seen {
 TransientGroup counted(const Study& study, std::initializer_list<Seen> starts) {
   TransientTally tally(study, sampler_of(study));
   for (const Seen& s : starts) {
-    Fate fate;
-    fate.outcome = s.decided ? Outcome::attracted : Outcome::undecided;
-    tally.add(fate, row_of_peak(s.peak, s.end));
+    Outcome outcome;
+    outcome.kind = s.decided ? OutcomeKind::attracted : OutcomeKind::undecided;
+    tally.add(outcome, row_of_peak(s.peak, s.end));
   }
   return tally.result(Catalogue()).groups.front();
 }
@@ -137,9 +137,9 @@ TEST(ResidualLimit, AGradeIsEOmega) {
     TransientTally tally(study, sampler_of(study));
     TransientRow row{};
     row.residual_unbalance = static_cast<float>(0.2 / 30.0);
-    Fate fate;
-    fate.outcome = Outcome::attracted;
-    tally.add(fate, row);
+    Outcome outcome;
+    outcome.kind = OutcomeKind::attracted;
+    tally.add(outcome, row);
     const TransientGroup g = tally.result(Catalogue()).groups.front();
     EXPECT_EQ(count_within(g, Within::at_end), exceeded ? 0u : 1u) << limit;
   }
@@ -153,12 +153,12 @@ TEST(ResidualLimit, OfAMotorIsJudgedByTheSpeedThatItCameTo) {
   study.parameters.inertia = 1.0;
   TransientTally tally(study, sampler_of(study));
   for (const float speed : {1.0f, 3.0f, std::numeric_limits<float>::quiet_NaN()}) {
-    Fate fate;
-    fate.outcome = Outcome::attracted;
-    fate.mean_speed = speed;
+    Outcome outcome;
+    outcome.kind = OutcomeKind::attracted;
+    outcome.mean_speed = speed;
     TransientRow row{};
     row.residual_unbalance = 0.01f;
-    tally.add(fate, row);
+    tally.add(outcome, row);
   }
   EXPECT_EQ(count_within(tally.result(Catalogue()).groups.front(), Within::at_end), 1u);  // unknown is not kept
 }

@@ -11,19 +11,19 @@ namespace pilot_test {
 constexpr int own = 4, other = 2;
 
 struct Audit {
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   std::vector<PilotRecord> records;
 
   void add(int count, int attractor, int run) {
-    Fate fate;
-    fate.outcome = Outcome::attracted;
-    fate.attractor = static_cast<short>(attractor);
+    Outcome outcome;
+    outcome.kind = OutcomeKind::attracted;
+    outcome.attractor = static_cast<short>(attractor);
     PilotRecord record;
     record.longest_run[0] = run;
-    fates.insert(fates.end(), count, fate);
+    outcomes.insert(outcomes.end(), count, outcome);
     records.insert(records.end(), count, record);
   }
-  int hits() const { return hits_from_audit(fates, records, 0, own, false); }
+  int hits() const { return hits_from_audit(outcomes, records, 0, own, false); }
 };
 
 TEST(Pilot, ABoxAsksForMoreThanTwiceTheLongestStayThatEndedElsewhere) {

@@ -38,8 +38,8 @@ TEST(TransientFigures, StandInTheGuide) {
   expect_in_docs("reference/transients.md", {{"figures of transients", table}});
 }
 
-Fate fate(Outcome outcome, int attractor = 0) {
-  return {outcome, outcome == Outcome::attracted ? DecidedBy::validated : DecidedBy::nothing,
+Outcome outcome(OutcomeKind kind, int attractor = 0) {
+  return {kind, kind == OutcomeKind::attracted ? DecidedBy::validated : DecidedBy::nothing,
           static_cast<short>(attractor), 100.0};
 }
 
@@ -50,9 +50,9 @@ Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = 
   const std::uint64_t count = sampler.grid() ? sampler.grid()->starts() : starts;
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t k = i * 7 % 10;
-    tally.add(k == 6                  ? fate(Outcome::attracted, 2)
-              : k < 6 || all_balanced ? fate(Outcome::attracted, balanced_id)
-                                      : fate(Outcome::undecided));
+    tally.add(k == 6                  ? outcome(OutcomeKind::attracted, 2)
+              : k < 6 || all_balanced ? outcome(OutcomeKind::attracted, balanced_id)
+                                      : outcome(OutcomeKind::undecided));
   }
   return tally;
 }
@@ -127,7 +127,8 @@ TEST(Csv, QuotesAndDoublesQuotes) {
 TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {
   for (const auto method : {SamplingMethod::random, SamplingMethod::sobol, SamplingMethod::grid}) {
     const Tally open = tally_of(method, 4096), closed = tally_of(method, 4096, true);
-    const Share s = open.share(Outcome::attracted, balanced_id), all = closed.share(Outcome::attracted, balanced_id);
+    const Share s = open.share(OutcomeKind::attracted, balanced_id),
+                all = closed.share(OutcomeKind::attracted, balanced_id);
     const char* name = sampling_method_names[static_cast<std::size_t>(method)];
     EXPECT_EQ(s.least, s.low) << name;
     EXPECT_LT(s.high, 0.65) << name;
@@ -136,7 +137,7 @@ TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {
     EXPECT_GT(s.most, 0.9) << name;
     EXPECT_EQ(all.most, all.high) << name;
     // An outcome that no start had may still be that of all undecided ones.
-    const Share none = open.share(Outcome::diverged);
+    const Share none = open.share(OutcomeKind::diverged);
     EXPECT_EQ(none.count, 0u);
     EXPECT_LT(none.high, 0.01) << name;
     EXPECT_GT(none.most, 0.3) << name;
@@ -299,7 +300,7 @@ struct Counted {
 
   explicit Counted(const std::string& text)
       : study(parse_study(text, "m.toml")), tally(study, Sampler(SamplingMethod::random, 2, 1000, true)) {}
-  void add(int count, const Fate& f, double velocity) {
+  void add(int count, const Outcome& f, double velocity) {
     TransientRow row;
     row.peak_radial = 0.1f;
     row.rms_velocity = static_cast<float>(velocity);
@@ -372,8 +373,8 @@ std::string transient_text(const TransientResult& r, const Study& study) {
 
 TEST(TransientText, FoldsAwayOutcomesOfTooFewStarts) {
   Counted c(machine);
-  c.add(20, fate(Outcome::attracted, 1), 0.0);
-  c.add(3, fate(Outcome::undecided), 0.0);
+  c.add(20, outcome(OutcomeKind::attracted, 1), 0.0);
+  c.add(3, outcome(OutcomeKind::undecided), 0.0);
   const std::string text = transient_text(c.tally.result(c.catalogue), c.study);
   EXPECT_TRUE(holds(text, "undecided: too few starts (3) for figures\n")) << text;
   EXPECT_FALSE(holds(text, "undecided, 3 starts"));
@@ -383,9 +384,9 @@ TEST(TransientText, FoldsAwayOutcomesOfTooFewStarts) {
 TEST(TransientText, BoundsWhatUndecidedStartsMayExceed) {
   Counted c(machine);
   const double limit = *c.study.limits.velocity;
-  c.add(700, fate(Outcome::attracted, 1), 0.5 * limit);
-  c.add(200, fate(Outcome::undecided), 0.5 * limit);
-  c.add(100, fate(Outcome::undecided), 2.0 * limit);
+  c.add(700, outcome(OutcomeKind::attracted, 1), 0.5 * limit);
+  c.add(200, outcome(OutcomeKind::undecided), 0.5 * limit);
+  c.add(100, outcome(OutcomeKind::undecided), 2.0 * limit);
   const TransientResult r = c.tally.result(c.catalogue);
   const Share& all = *r.groups.front().exceeded[2];
   EXPECT_EQ(all.count, 100u);
@@ -398,7 +399,7 @@ TEST(TransientText, SaysWhichFiguresHoldTheWeight) {
   std::string text = machine;
   text.insert(text.find("eccentricity"), "gravity = \"9.81 m/s2\"\n");
   Counted c(text);
-  c.add(20, fate(Outcome::attracted, 1), 0.0);
+  c.add(20, outcome(OutcomeKind::attracted, 1), 0.0);
   // (12 + 0.12) kg 9.81 m/s2 = 118.9 N on 48 kN/m.
   EXPECT_TRUE(holds(
       transient_text(c.tally.result(c.catalogue), c.study),

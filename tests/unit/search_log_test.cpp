@@ -94,14 +94,14 @@ TEST(Bytes, AreRefusedIfCutOffOrSpoilt) {
 
 // A note comes from a file, whose checksum does not say who wrote it.
 TEST(Bytes, AreRefusedIfTheyHoldNoTruthOrNoneOfTheEnumerated) {
-  std::vector<char> truth = bytes_of(true), fate = bytes_of(Fate{});
+  std::vector<char> truth = bytes_of(true), outcome = bytes_of(Outcome{});
   EXPECT_EQ(again<bool>(truth), truth);
-  EXPECT_EQ(again<Fate>(fate), fate);
+  EXPECT_EQ(again<Outcome>(outcome), outcome);
   truth[0] = 2;
   EXPECT_TRUE(again<bool>(truth).empty());
-  for (const char outcome : {-1, 5, 127}) {
-    fate[0] = outcome;
-    EXPECT_TRUE(again<Fate>(fate).empty()) << int{outcome};
+  for (const char kind : {-1, 5, 127}) {
+    outcome[0] = kind;
+    EXPECT_TRUE(again<Outcome>(outcome).empty()) << int{kind};
   }
 }
 

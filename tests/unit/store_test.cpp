@@ -78,14 +78,14 @@ BasinFileHeader header_of(const std::string& drag = "0.05") {
   return header;
 }
 
-// A fate unlike any other start's.
-Fate fate_of(std::uint64_t i) {
-  Fate fate;
-  fate.outcome = i % 5 == 0 ? Outcome::undecided : Outcome::attracted;
-  fate.attractor = i % 5 == 0 ? 0 : static_cast<short>(1 + i % 3);
-  fate.by = i % 5 == 0 ? DecidedBy::nothing : DecidedBy::windows;
-  fate.time = 0.5 * static_cast<double>(i);
-  return fate;
+// A outcome unlike any other start's.
+Outcome outcome_of(std::uint64_t i) {
+  Outcome outcome;
+  outcome.kind = i % 5 == 0 ? OutcomeKind::undecided : OutcomeKind::attracted;
+  outcome.attractor = i % 5 == 0 ? 0 : static_cast<short>(1 + i % 3);
+  outcome.by = i % 5 == 0 ? DecidedBy::nothing : DecidedBy::windows;
+  outcome.time = 0.5 * static_cast<double>(i);
+  return outcome;
 }
 
 void append(BasinFile& file, std::size_t count) {
@@ -93,9 +93,9 @@ void append(BasinFile& file, std::size_t count) {
   starts.starts = count;
   for (std::uint64_t i = file.stored(); i < file.stored() + count; ++i) {
     starts.phi.insert(starts.phi.end(), {static_cast<double>(i), -static_cast<double>(i)});
-    starts.outcome.push_back(code_of(fate_of(i)));
-    starts.decision_time.push_back(fate_of(i).time);
-    starts.decided_by.push_back(static_cast<signed char>(fate_of(i).by));
+    starts.outcome.push_back(code_of(outcome_of(i)));
+    starts.decision_time.push_back(outcome_of(i).time);
+    starts.decided_by.push_back(static_cast<signed char>(outcome_of(i).by));
   }
   file.append(starts, {0.25, 0.5});
 }
@@ -104,11 +104,11 @@ void expect_starts(const BasinFile& file, std::uint64_t count) {
   ASSERT_EQ(file.stored(), count);
   const StartArrays starts = file.read(0, count);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const Fate expected = fate_of(i), fate = *fate_of(starts, i);
-    ASSERT_EQ(fate.outcome, expected.outcome) << i;
-    ASSERT_EQ(fate.attractor, expected.attractor) << i;
-    ASSERT_EQ(fate.by, expected.by) << i;
-    ASSERT_EQ(fate.time, expected.time) << i;
+    const Outcome expected = outcome_of(i), outcome = *outcome_of(starts, i);
+    ASSERT_EQ(outcome.kind, expected.kind) << i;
+    ASSERT_EQ(outcome.attractor, expected.attractor) << i;
+    ASSERT_EQ(outcome.by, expected.by) << i;
+    ASSERT_EQ(outcome.time, expected.time) << i;
     ASSERT_EQ(starts.phi[2 * i + 1], -static_cast<double>(i)) << i;
   }
 }

@@ -172,7 +172,7 @@ std::string range_words(const Key& key, const study::Member& member) {
   if (std::holds_alternative<std::optional<SamplingBox::Side>*>(member)) words += ", `[low, high]`";
   if (std::holds_alternative<std::array<double, 2>*>(member))
     words += key.has(Key::pair) ? ", `[x, y]`" : "; or `[x, y]`";
-  if (std::holds_alternative<std::array<double, model::max_balls>*>(member)) words += "; or one a ball";
+  if (std::holds_alternative<std::array<double, model::max_balls>*>(member)) words += "; or one per ball";
   return words;
 }
 

@@ -35,7 +35,7 @@ Json compare_shares(const Json& args);
 
 /// What each start came to, for judge(): codes, speeds in the end and figures (transient_figures, one start after
 /// another; none if they were not gathered).
-Json told_rows(const std::vector<Fate>& fates, const std::vector<TransientRow>& rows, Bulk& bulk);
+Json told_rows(const std::vector<Outcome>& outcomes, const std::vector<TransientRow>& rows, Bulk& bulk);
 Json one_body(const Json& args, Bulk& bulk);
 Json try_change(const Json& args, Bulk& bulk);
 Json judge(const Json& args);

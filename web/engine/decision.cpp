@@ -21,7 +21,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
-#include "equipoise/results/types/outcome.hpp"
+#include "equipoise/results/types/codes.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
@@ -30,16 +30,16 @@ namespace equipoise::web {
 namespace {
 
 std::vector<OneBodyRun> rows_of(const Json& told) {
-  const auto outcome = numbers_of<std::int32_t>(told.at("outcome"));
+  const auto codes = numbers_of<std::int32_t>(told.at("outcome"));
   const auto speed = numbers_of<double>(told.at("speed")), figures = numbers_of<double>(told.at("figures"));
   constexpr std::size_t columns = transient_figures.size();
-  if (speed.size() != outcome.size() || figures.size() != outcome.size() * columns)
+  if (speed.size() != codes.size() || figures.size() != codes.size() * columns)
     throw InputError("judge", "starts", fmt::format("{} figures", figures.size()),
-                     fmt::format("must be {} a start, of {} starts", columns, outcome.size()));
-  std::vector<OneBodyRun> rows(outcome.size());
+                     fmt::format("must be {} a start, of {} starts", columns, codes.size()));
+  std::vector<OneBodyRun> rows(codes.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].fate = fate_of(static_cast<short>(outcome[i])).value_or(Fate{});
-    rows[i].fate.mean_speed = static_cast<float>(speed[i]);
+    rows[i].outcome = outcome_of(static_cast<short>(codes[i])).value_or(Outcome{});
+    rows[i].outcome.mean_speed = static_cast<float>(speed[i]);
     for (std::size_t k = 0; k < columns; ++k)
       rows[i].row.*transient_figures[k].value = static_cast<float>(figures[i * columns + k]);
   }
@@ -48,14 +48,14 @@ std::vector<OneBodyRun> rows_of(const Json& told) {
 
 // Runs of one body end in no listed attractor: any code above 0 stands for a steady motion.
 Json told_runs(const std::vector<OneBodyRun>& runs, Bulk& bulk) {
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   std::vector<TransientRow> rows;
   for (const OneBodyRun& run : runs) {
-    fates.push_back(run.fate);
+    outcomes.push_back(run.outcome);
     rows.push_back(run.row);
-    if (run.fate.outcome == Outcome::attracted) fates.back().attractor = balanced_id;
+    if (run.outcome.codes == OutcomeKind::attracted) outcomes.back().attractor = balanced_id;
   }
-  return told_rows(fates, rows, bulk);
+  return told_rows(outcomes, rows, bulk);
 }
 
 // The part of a result that the verdict and the tables of figures show; no shares of attractors.
@@ -66,8 +66,8 @@ BasinResult counted(const Study& study, const Json& told, const Json& bare, cons
   Tally tally(sampler, study.sampling.seed, 0.0);
   TransientTally figures(study, sampler);
   for (const OneBodyRun& start : rows_of(told)) {
-    tally.add(start.fate);
-    figures.add(start.fate, start.row);
+    tally.add(start.outcome);
+    figures.add(start.outcome, start.row);
   }
   r.starts = tally.total();
   tally.count(Catalogue(), r);
@@ -116,16 +116,16 @@ Json velocities_json(const BasinResult& r) {
 
 }  // namespace
 
-Json told_rows(const std::vector<Fate>& fates, const std::vector<TransientRow>& rows, Bulk& bulk) {
-  std::vector<std::int32_t> outcome;
+Json told_rows(const std::vector<Outcome>& outcomes, const std::vector<TransientRow>& rows, Bulk& bulk) {
+  std::vector<std::int32_t> codes;
   std::vector<double> speed, figures;
-  for (const Fate& fate : fates) {
-    outcome.push_back(code_of(fate));
-    speed.push_back(fate.mean_speed);
+  for (const Outcome& outcome : outcomes) {
+    codes.push_back(code_of(outcome));
+    speed.push_back(outcome.mean_speed);
   }
   for (const TransientRow& row : rows)
     for (const TransientFigure& f : transient_figures) figures.push_back(row.*f.value);
-  return {{"outcome", bulk.wholes(std::move(outcome))},
+  return {{"outcome", bulk.wholes(std::move(codes))},
           {"speed", bulk.doubles(std::move(speed))},
           {"figures", bulk.doubles(std::move(figures))}};
 }
@@ -155,7 +155,7 @@ Json try_change(const Json& args, Bulk& bulk) {
   const Decided ended = mapper.starts(0, starts_of_a_change);
   const Sampler sampler = sampler_of(study);
   const OneBodyTask task{study, sampler, starts_of_a_change};
-  Json json = told_rows(ended.fates, ended.transients, bulk);
+  Json json = told_rows(ended.outcomes, ended.transients, bulk);
   json["bare"] = told_runs(one_body_runs(task, false, 0, std::min(starts_of_a_change, bare_runs_needed(task))), bulk);
   json["change"] = k;
   return json;

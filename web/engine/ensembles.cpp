@@ -69,10 +69,9 @@ Json outcomes_json(const Mapper& mapper) {
   Json list = Json::array();
   const Study& study = mapper.study();
   const Catalogue known = mapper.attractors();
-  for (const Attractor& a : known.attractors())
-    list.push_back(outcome_json({a.id, a.name, a.alias}, study));
+  for (const Attractor& a : known.attractors()) list.push_back(outcome_json({a.id, a.name, a.alias}, study));
   for (const NoAttractor& n : no_attractors)
-    if (n.outcome != Outcome::stalled || study.speed.driven()) list.push_back(outcome_json({n.code, n.name}, study));
+    if (n.kind != OutcomeKind::stalled || study.speed.driven()) list.push_back(outcome_json({n.code, n.name}, study));
   return list;
 }
 
@@ -88,15 +87,15 @@ Json path_json(const Study& study, const Motion& motion) {
 
 // What `decide` answers, and how long it took: a search for attractors, which comes before, is made once.
 template <class Decide>
-Json fates_json(const Mapper& mapper, std::uint64_t first, Decide&& decide, Bulk& bulk) {
+Json outcomes_json(const Mapper& mapper, std::uint64_t first, Decide&& decide, Bulk& bulk) {
   const auto begin = std::chrono::steady_clock::now();
   Decided ended = decide();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::vector<double> time;
-  for (const Fate& fate : ended.fates) time.push_back(fate.time);
-  Json json = told_rows(ended.fates, ended.transients, bulk);
+  for (const Outcome& outcome : ended.outcomes) time.push_back(outcome.time);
+  Json json = told_rows(ended.outcomes, ended.transients, bulk);
   json.update({{"first", first},
-               {"count", ended.fates.size()},
+               {"count", ended.outcomes.size()},
                {"time", bulk.doubles(std::move(time))},
                {"angles", bulk.doubles(std::move(ended.phi))},
                {"balls", mapper.study().parameters.balls},
@@ -154,13 +153,13 @@ Json ensemble(const Json& args, Bulk& bulk) {
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
   const Mapper& m = kept(toml, study, options.value("figures", false));
-  return fates_json(
+  return outcomes_json(
       m, first, [&] { return m.starts(first, count); }, bulk);
 }
 
 Json states(const Json& args, Bulk& bulk) {
   const Mapper& m = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
-  return fates_json(
+  return outcomes_json(
       m, 0, [&] { return m.at_angles(numbers_of<double>(args.at(1))); }, bulk);
 }
 

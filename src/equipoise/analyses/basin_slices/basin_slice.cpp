@@ -89,8 +89,8 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   for (const auto& [given, code] : seen) codes.push_back(code);
   std::sort(codes.begin(), codes.end(), [](const OutcomeShare& a, const OutcomeShare& b) { return a.id < b.id; });
   for (const NoAttractor& n : no_attractors)
-    if (n.outcome != Outcome::stalled || study.speed.driven()) {
-      const bool overlap = n.outcome == Outcome::failed && study.parameters.balls_collide();
+    if (n.kind != OutcomeKind::stalled || study.speed.driven()) {
+      const bool overlap = n.kind == OutcomeKind::failed && study.parameters.balls_collide();
       codes.push_back({n.code, overlap ? "balls would overlap, or failed" : n.name, "", {}});
     }
   return codes;

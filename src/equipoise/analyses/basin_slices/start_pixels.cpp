@@ -200,7 +200,7 @@ bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chu
 void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk) {
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
-    const int id = catalogue_.settle(u, chunk.fates[u.place]);
+    const int id = catalogue_.settle(u, chunk.outcomes[u.place]);
     if (id > 0 && listed_.insert(id).second && !of_family() && file_) file_->append_attractor_search(u.state);
     if (u.motion) followed[u.place] = u.motion->r_max;
   }
@@ -215,7 +215,7 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
     if (model::overlap(map_.study.parameters, begin.phi.data()))  // no such start
       pixel.code = failed_code;
     else
-      pixel = pixel_of(own, chunk.fates[i], at == followed.end() ? nullptr : &at->second);
+      pixel = pixel_of(own, chunk.outcomes[i], at == followed.end() ? nullptr : &at->second);
     if (!own) continue;
     pixel.balance_growth = static_cast<float>(balance_growth(own->own.study.system()));
     pixel.balance_margin = static_cast<float>(balance_margin(own->own.study.parameters));
@@ -231,16 +231,17 @@ short StartPixels::code_of_motion(const MotionName& motion) {
   return code;
 }
 
-SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed) {
+SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Outcome& outcome,
+                                 const double* followed) {
   SlicePixel pixel;
-  pixel.time = static_cast<float>(fate.time);
-  pixel.code = code_of(fate);
-  const Attractor* a = fate.outcome == Outcome::attracted ? catalogue_.find(fate.attractor) : nullptr;
+  pixel.time = static_cast<float>(outcome.time);
+  pixel.code = code_of(outcome);
+  const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue_.find(outcome.attractor) : nullptr;
   if (!a) return pixel;
   const auto [code, fresh] = codes_.try_emplace(a->id);
   if (fresh) code->second = code_of_motion({a->name, a->alias, a->id < first_free_id ? a->id : 0});
   pixel.code = code->second;
-  pixel.r_max = followed ? static_cast<float>(*followed) : own ? fate.radius : static_cast<float>(a->motion.r_max);
+  pixel.r_max = followed ? static_cast<float>(*followed) : own ? outcome.radius : static_cast<float>(a->motion.r_max);
   return pixel;
 }
 

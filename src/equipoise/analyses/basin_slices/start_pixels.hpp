@@ -56,7 +56,7 @@ class StartPixels {
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk);
   short code_of_motion(const MotionName& motion);
   // `own`: given if rotors differ between pixels. `followed`: the largest r, if the start was followed for it.
-  SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const double* followed);
+  SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Outcome& outcome, const double* followed);
 
   const BasinSlice& map_;
   const RunOptions& options_;

@@ -169,7 +169,7 @@ class BasinRun {
       Tally tally = *tally_;
       const bool whole = compute(0, pilot_starts, [&](Chunk& chunk) {
         catalogue_->settle(chunk);
-        for (const Fate& fate : chunk.fates) tally.add(fate);
+        for (const Outcome& outcome : chunk.outcomes) tally.add(outcome);
         pilot_.push_back(std::move(chunk));
         report(tally, 0);
         return true;
@@ -218,9 +218,9 @@ class BasinRun {
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
     TransientTally figures = *transients_;
-    for_each_stored(*file_, tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow* row) {
-      whole.add(fate);
-      if (row) figures.add(fate, *row);
+    for_each_stored(*file_, tally_->total(), file_->stored(), [&](const Outcome& outcome, const TransientRow* row) {
+      whole.add(outcome);
+      if (row) figures.add(outcome, *row);
     });
     Study study = result_.study;
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
@@ -257,55 +257,55 @@ class BasinRun {
   void take_stored() {
     const std::uint64_t begin = tally_->total(), end = file_ ? std::min(file_->stored(), limit_) : 0;
     if (begin >= end) return;
-    for_each_stored(*file_, begin, end, [&](const Fate& fate, const TransientRow* row) {
+    for_each_stored(*file_, begin, end, [&](const Outcome& outcome, const TransientRow* row) {
       if (finished_ || unread_) return;
-      if (fate.attractor > 0 && !filed_.contains(fate.attractor)) meet_again(tally_->total(), fate);
-      if (!unread_) take(fate, row);
+      if (outcome.attractor > 0 && !filed_.contains(outcome.attractor)) meet_again(tally_->total(), outcome);
+      if (!unread_) take(outcome, row);
     });
     result_.resumed_from += tally_->total() - begin;
   }
 
   // The file names a motion by a state on it. If damage has taken that, a start that ended in the motion finds it
   // again.
-  void meet_again(std::uint64_t index, const Fate& fate) {
+  void meet_again(std::uint64_t index, const Outcome& outcome) {
     Chunk chunk;
     chunk.first = index;
     chunk.count = 1;
     unread_ = !decide(chunk);
     if (unread_) return;
-    for (const UnlistedStart& start : chunk.unlisted) name_fate(chunk.fates.front(), start);
-    if (!filed_.contains(fate.attractor))
-      throw InputError(options_.output, "", "", fmt::format(outcome_without_name, index, fate.attractor));
+    for (const UnlistedStart& start : chunk.unlisted) name_outcome(chunk.outcomes.front(), start);
+    if (!filed_.contains(outcome.attractor))
+      throw InputError(options_.output, "", "", fmt::format(outcome_without_name, index, outcome.attractor));
   }
 
-  void take(const Fate& fate, const TransientRow* row) {
-    tally_->add(fate);
-    if (result_.study.speed.driven()) count_passage(fate);
-    if (row) transients_->add(fate, *row);
+  void take(const Outcome& outcome, const TransientRow* row) {
+    tally_->add(outcome);
+    if (result_.study.speed.driven()) count_passage(outcome);
+    if (row) transients_->add(outcome, *row);
     // Pilot starts all count, even if fewer would have been narrow enough.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
     const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
                          (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
     const bool narrow = may_end && tally_->narrow(options_.half_width);
     finished_ = narrow || tally_->total() == limit_;
-    if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
+    if (outcome.kind == OutcomeKind::undecided && undecided_.size() < undecided_looked_at)
       undecided_.push_back(tally_->total() - 1);
-    if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
+    if (outcome.kind == OutcomeKind::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
     if (StartArrays* kept = result_.every_start ? &*result_.every_start : nullptr;
         kept && kept->starts < options_.keep_at_most)
-      add_start(result_.study, *sampler_, kept->starts, start(kept->starts), result_.own_starts, fate, row, *kept);
-    met_ += fate.met;
-    if (options_.fate) options_.fate(fate);
+      add_start(result_.study, *sampler_, kept->starts, start(kept->starts), result_.own_starts, outcome, row, *kept);
+    met_ += outcome.met;
+    if (options_.outcome) options_.outcome(outcome);
   }
 
   // Judged by the speed of the motion that a start came to or, without one, by its last speed.
-  void count_passage(const Fate& fate) {
-    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
-    const bool above = std::fabs(fate.mean_speed) >= passed_speed_;
+  void count_passage(const Outcome& outcome) {
+    const bool lost = outcome.kind == OutcomeKind::diverged || outcome.kind == OutcomeKind::failed;
+    const bool above = std::fabs(outcome.mean_speed) >= passed_speed_;
     if (!lost && above)
       ++passed_;
-    else if (fate.outcome == Outcome::undecided)
+    else if (outcome.kind == OutcomeKind::undecided)
       ++below_;
     else if (!lost)
       ++stays_below_;
@@ -321,7 +321,7 @@ class BasinRun {
 
   void report(const Tally& tally, std::uint64_t limit) const {
     if (options_.progress)
-      options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
+      options_.progress({tally.total(), limit, "starts", tally.share(OutcomeKind::attracted, balanced_id).share});
   }
 
   // Takes chunks in, in order. Starts that the file already held are skipped.
@@ -332,9 +332,9 @@ class BasinRun {
     auto unlisted = chunk.unlisted.begin();
     while (taken < chunk.count && !finished_) {
       while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
-      Fate& fate = chunk.fates[taken];
-      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
-      take(fate, chunk.row(taken));
+      Outcome& outcome = chunk.outcomes[taken];
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_outcome(outcome, *unlisted);
+      take(outcome, chunk.row(taken));
       ++taken;
     }
     if (file_)
@@ -347,8 +347,8 @@ class BasinRun {
 
   // Names the outcome of a start whose motion the rule does not list. The motion decides, no matter when it was first
   // met.
-  void name_fate(Fate& fate, const UnlistedStart& start) {
-    const int id = catalogue_->settle(start, fate);
+  void name_outcome(Outcome& outcome, const UnlistedStart& start) {
+    const int id = catalogue_->settle(start, outcome);
     if (id == 0 || !filed_.insert(id).second) return;
     if (file_) file_->append_attractor_search(start.state);
     if (options_.keep_starts) result_.discoveries.push_back(start.state);

@@ -59,7 +59,7 @@ struct BasinOptions : RunOptions {
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive runs with the same final speed; results do
                                              ///< not depend on it
   /// Called for every counted start in index order, stored ones included; from any thread, but one at a time.
-  std::function<void(const Fate&)> fate;
+  std::function<void(const Outcome&)> outcome;
 };
 
 bool gathers_transients(const Study& study, const BasinOptions& options);
@@ -73,7 +73,7 @@ struct StartReplay {
   std::uint64_t index = 0;
   InitialState start;         ///< state at t = 0
   std::vector<double> drawn;  ///< uncertain values, in the order and units of study.uncertain.values
-  Fate fate;
+  Outcome outcome;
   std::string name;                        ///< of the attractor, or empty
   std::optional<TransientRow> transients;  ///< if they are gathered
 };

@@ -37,9 +37,9 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   if (session.stopped() || !(given ? session.decide({&replay.start, 1}, one) : session.decide(index, 1, one)))
     throw RunError("stopped before the start was decided");
   catalogue.settle(one);
-  replay.fate = one.fates.front();
+  replay.outcome = one.outcomes.front();
   if (gathers) replay.transients = one.transients.front();
-  if (const Attractor* a = catalogue.find(replay.fate.attractor)) replay.name = a->name;
+  if (const Attractor* a = catalogue.find(replay.outcome.attractor)) replay.name = a->name;
   return replay;
 }
 

@@ -19,7 +19,7 @@ bool balls_may_stick(const Study& study) {
 }
 
 void add_start(const Study& study, const Sampler& sampler, std::uint64_t index, const InitialState& s, bool own,
-               const Fate& fate, const TransientRow* row, StartArrays& arrays) {
+               const Outcome& outcome, const TransientRow* row, StartArrays& arrays) {
   ++arrays.starts;
   const int balls = arrays.balls = study.parameters.balls;
   arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
@@ -31,12 +31,12 @@ void add_start(const Study& study, const Sampler& sampler, std::uint64_t index, 
   const std::vector<double> drawn = drawn_values(study, sampler, study.sampling.seed, index);
   arrays.drawn.insert(arrays.drawn.end(), drawn.begin(), drawn.end());
   if (sampler.grid()) arrays.weight.push_back(sampler.weight(study.sampling.seed, index));
-  arrays.outcome.push_back(code_of(fate));
-  arrays.decision_time.push_back(fate.time);
-  arrays.decided_by.push_back(static_cast<signed char>(fate.by));
-  if (study.speed.driven()) arrays.mean_speed.push_back(fate.mean_speed);
-  if (balls_may_stick(study)) arrays.left_unbalance.push_back(fate.unbalance);
-  if (study.parameters.balls_collide()) arrays.balls_met.push_back(fate.met);
+  arrays.outcome.push_back(code_of(outcome));
+  arrays.decision_time.push_back(outcome.time);
+  arrays.decided_by.push_back(static_cast<signed char>(outcome.by));
+  if (study.speed.driven()) arrays.mean_speed.push_back(outcome.mean_speed);
+  if (balls_may_stick(study)) arrays.left_unbalance.push_back(outcome.unbalance);
+  if (study.parameters.balls_collide()) arrays.balls_met.push_back(outcome.met);
   if (row)
     for (std::size_t k = 0; k < transient_figures.size(); ++k)
       arrays.transients[k].push_back(row->*transient_figures[k].value);

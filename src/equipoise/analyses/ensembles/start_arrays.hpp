@@ -8,10 +8,10 @@
 
 namespace equipoise {
 
-/// Adds start `index`, which began as `start` and has `fate`. `own`: the caller gave it. `row`: its transients, or
+/// Adds start `index`, which began as `start` and has `outcome`. `own`: the caller gave it. `row`: its transients, or
 /// null. Its other draws are made again: they are functions of its index.
 void add_start(const Study& study, const Sampler& sampler, std::uint64_t index, const InitialState& start, bool own,
-               const Fate& fate, const TransientRow* row, StartArrays& arrays);
+               const Outcome& outcome, const TransientRow* row, StartArrays& arrays);
 
 /// Whether dry friction may hold balls, in the study or for values that its starts may draw.
 bool balls_may_stick(const Study& study);

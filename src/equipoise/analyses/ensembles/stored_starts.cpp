@@ -13,8 +13,8 @@ namespace equipoise {
 
 namespace {
 
-bool same(const Fate& a, const Fate& b) {
-  return a.outcome == b.outcome && a.attractor == b.attractor && a.by == b.by && a.time == b.time;
+bool same(const Outcome& a, const Outcome& b) {
+  return a.kind == b.kind && a.attractor == b.attractor && a.by == b.by && a.time == b.time;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
     if (!decide(chunk)) return;
     const StartArrays starts = file.read(first, each);
     for (std::size_t i = 0; i < each; ++i)
-      if (!same(*fate_of(starts, i), chunk.fates[i]))
+      if (!same(*outcome_of(starts, i), chunk.outcomes[i]))
         throw InputError(path, "", "",
                          fmt::format("start {}, computed with {}, has another result in this program with {}; must be "
                                      "a new file, or one that this program and instruction set made",
@@ -49,7 +49,7 @@ void append_starts(BasinFile& file, const Study& study, const Sampler& sampler, 
   for (std::size_t i = part.first; i < part.second; ++i) {
     InitialState s = whole ? start_of(chunk.first + i) : InitialState{};
     std::copy_n(chunk.phi.data() + i * balls, balls, s.phi.begin());
-    add_start(study, sampler, chunk.first + i, s, own, chunk.fates[i], chunk.row(i), starts);
+    add_start(study, sampler, chunk.first + i, s, own, chunk.outcomes[i], chunk.row(i), starts);
   }
   file.append(starts, so_far);
 }

@@ -16,7 +16,7 @@
 
 namespace equipoise {
 
-/// Calls visit(fate, row) for starts begin .. end - 1 of a file; `row` is null if it holds no transients.
+/// Calls visit(outcome, row) for starts begin .. end - 1 of a file; `row` is null if it holds no transients.
 template <class Visit>
 void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t end, const Visit& visit) {
   constexpr std::size_t block = 65536;
@@ -25,14 +25,14 @@ void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t e
     const StartArrays starts = file.read(first, count);
     for (std::size_t i = 0; i < count; ++i) {
       const TransientRow row = row_of(starts, i);
-      visit(*fate_of(starts, i), starts.transients.front().empty() ? nullptr : &row);
+      visit(*outcome_of(starts, i), starts.transients.front().empty() ? nullptr : &row);
     }
   }
 }
 
 /// Decides a few of the first `stored` starts again before any is added. A different build or instruction set may give
-/// other bits, and the file would then mix two kinds. Throws InputError if a Fate differs. `decide` decides and settles
-/// a chunk, and returns false if stopped.
+/// other bits, and the file would then mix two kinds. Throws InputError if an Outcome differs. `decide` decides and
+/// settles a chunk, and returns false if stopped.
 void check_stored(const BasinFile& file, const std::string& path, std::uint64_t stored, const std::string& target,
                   const std::function<bool(Chunk&)>& decide);
 

@@ -30,23 +30,23 @@ bool ends_a_net(std::uint64_t points) {
 Tally::Tally(const Sampler& sampler, std::uint64_t seed, double settled)
     : sampler_(sampler), seed_(seed), settled_(settled) {}
 
-Tally::Key Tally::key_of(Outcome outcome, int attractor) {
-  return {static_cast<int>(outcome), outcome == Outcome::attracted ? attractor : 0};
+Tally::Key Tally::key_of(OutcomeKind kind, int attractor) {
+  return {static_cast<int>(kind), kind == OutcomeKind::attracted ? attractor : 0};
 }
 
-void Tally::add(const Fate& fate) {
-  const Key key = key_of(fate.outcome, fate.attractor);
+void Tally::add(const Outcome& outcome) {
+  const Key key = key_of(outcome.kind, outcome.attractor);
   Line& line = lines_[key];
   ++line.count;
   const double weight = sampler_.weight(seed_, total_);
-  line.time += weight * (fate.time - settled_);
+  line.time += weight * (outcome.time - settled_);
   line.counted += weight;
-  if (const double later = fate.time - settled_ - lasting_chaos; later > 0.0) {
+  if (const double later = outcome.time - settled_ - lasting_chaos; later > 0.0) {
     ++line.late;
     line.late_time += later;
   }
-  if (!std::isnan(fate.unbalance)) line.unbalance[fate.unbalance] += weight;
-  ++line.by[static_cast<std::size_t>(fate.by)];
+  if (!std::isnan(outcome.unbalance)) line.unbalance[outcome.unbalance] += weight;
+  ++line.by[static_cast<std::size_t>(outcome.by)];
   if (sampler_.method() == SamplingMethod::sobol) ++line.in_replicate[total_ % sobol_replicates];
   if (sampler_.grid()) add_to_pair(key, line, weight);
   ++total_;
@@ -60,7 +60,7 @@ void Tally::add_to_pair(Key key, Line& line, double w) {
       Line& one = half == key ? line : lines_[before_];
       const Key other = half == key ? before_ : key;
       one.split.add(w);
-      if (other == key_of(Outcome::undecided, 0)) one.from_undecided.add(w);
+      if (other == key_of(OutcomeKind::undecided, 0)) one.from_undecided.add(w);
     }
   before_ = key;
 }
@@ -94,7 +94,7 @@ Tally::Line Tally::united(const Line& line, const Line& undecided) {
 }
 
 Share Tally::share(Key key) const {
-  const Key open = key_of(Outcome::undecided, 0);
+  const Key open = key_of(OutcomeKind::undecided, 0);
   const auto at = lines_.find(key), undecided = lines_.find(open);
   const Line line = at == lines_.end() ? Line{} : at->second;
   const Share result = interval(line);
@@ -102,7 +102,7 @@ Share Tally::share(Key key) const {
   return share_between(result, interval(united(line, undecided->second)));
 }
 
-Share Tally::share(Outcome outcome, int attractor) const { return share(key_of(outcome, attractor)); }
+Share Tally::share(OutcomeKind kind, int attractor) const { return share(key_of(kind, attractor)); }
 
 namespace {
 // The values below which the fractions unbalance_quantiles of all weight lie.
@@ -122,8 +122,8 @@ std::vector<double> quantiles_of(const std::map<float, double>& weights) {
 }  // namespace
 
 OutcomeShare Tally::share(const Attractor& a) const {
-  OutcomeShare result{a.id, a.name, a.alias, share(Outcome::attracted, a.id), name_of(a.motion.kind)};
-  if (const auto at = lines_.find(key_of(Outcome::attracted, a.id)); at != lines_.end()) {
+  OutcomeShare result{a.id, a.name, a.alias, share(OutcomeKind::attracted, a.id), name_of(a.motion.kind)};
+  if (const auto at = lines_.find(key_of(OutcomeKind::attracted, a.id)); at != lines_.end()) {
     result.mean_time = at->second.time / at->second.counted;
     result.decided_by = at->second.by;
     result.unbalance = quantiles_of(at->second.unbalance);
@@ -144,10 +144,10 @@ void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
     // A measured kind of motion is reported only if a start ended in it.
     if (one.share.count > 0 || a.id == balanced_id || !measured) result.attractors.push_back(std::move(one));
   }
-  result.undecided = share(Outcome::undecided);
-  result.diverged = share(Outcome::diverged);
-  result.failed = share(Outcome::failed);
-  if (driven) result.stalled = share(Outcome::stalled);
+  result.undecided = share(OutcomeKind::undecided);
+  result.diverged = share(OutcomeKind::diverged);
+  result.failed = share(OutcomeKind::failed);
+  if (driven) result.stalled = share(OutcomeKind::stalled);
 }
 
 std::optional<EscapeRate> Tally::chaos(const Catalogue& catalogue) const {
@@ -155,7 +155,7 @@ std::optional<EscapeRate> Tally::chaos(const Catalogue& catalogue) const {
   std::uint64_t escapes = 0, late = 0;
   double watched = 0.0;
   for (const auto& [key, line] : lines_) {
-    if (key.first != static_cast<int>(Outcome::attracted)) continue;
+    if (key.first != static_cast<int>(OutcomeKind::attracted)) continue;
     const Attractor* a = catalogue.find(key.second);
     const bool still = a && (a->name == long_lived_chaos || a->motion.kind == MotionKind::chaotic);
     lasts = lasts || (still && a->name == long_lived_chaos);

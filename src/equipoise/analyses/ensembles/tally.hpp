@@ -24,11 +24,11 @@ class Tally {
   /// `settled`: study time at which the last piece of the drive begins. Decision times count from there.
   Tally(const Sampler& sampler, std::uint64_t seed, double settled);
 
-  void add(const Fate& fate);
+  void add(const Outcome& outcome);
 
   std::uint64_t total() const { return total_; }
   /// The 95 % interval that suits the sampling method, with bounds that hold whatever the undecided starts come to.
-  Share share(Outcome outcome, int attractor = 0) const;
+  Share share(OutcomeKind kind, int attractor = 0) const;
   OutcomeShare share(const Attractor& attractor) const;
   /// Fills in every share of `result`, whose study must be that of the starts.
   void count(const Catalogue& catalogue, BasinResult& result) const;
@@ -66,7 +66,7 @@ class Tally {
     Split split, from_undecided;                                 // for a grid: from any outcome; from undecided
   };
   using Key = std::pair<int, int>;
-  static Key key_of(Outcome outcome, int attractor);
+  static Key key_of(OutcomeKind kind, int attractor);
   void add_to_pair(Key key, Line& line, double weight);
   Share interval(const Line& line) const;
   Share share(Key key) const;

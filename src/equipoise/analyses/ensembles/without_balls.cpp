@@ -49,7 +49,7 @@ class OneBodyRunner {
     try {
       const Study own = family_->at(family_->values_at(drawn_fractions(study_, task_.sampler, seed, i)));
       OneBodyRun run = follow(own, start_of(own, task_.sampler, seed, i), balls);
-      if (own.scales) change_units(*own.scales, *study_.scales, run.fate, &run.row);
+      if (own.scales) change_units(*own.scales, *study_.scales, run.outcome, &run.row);
       return run;
     } catch (const InputError&) {
       return lost();
@@ -58,7 +58,7 @@ class OneBodyRunner {
 
   static OneBodyRun lost() {
     OneBodyRun run{{}, transient_row({}, {}, true)};
-    run.fate.outcome = Outcome::failed;
+    run.outcome.kind = OutcomeKind::failed;
     return run;
   }
 
@@ -72,10 +72,10 @@ class OneBodyRunner {
     settings.release = free ? run.released : 0.0;
     OneBodyRun result{{}, transient_row(settings, run.sums, false, run.end)};
     if (!free) result.row.settling_time = std::numeric_limits<float>::infinity();
-    result.fate.outcome = !run.steady                                            ? Outcome::undecided
-                          : driven && std::fabs(run.speed) < study.stall_speed() ? Outcome::stalled
-                                                                                 : Outcome::attracted;
-    if (driven) result.fate.mean_speed = static_cast<float>(run.speed);
+    result.outcome.kind = !run.steady                                            ? OutcomeKind::undecided
+                          : driven && std::fabs(run.speed) < study.stall_speed() ? OutcomeKind::stalled
+                                                                                 : OutcomeKind::attracted;
+    if (driven) result.outcome.mean_speed = static_cast<float>(run.speed);
     return result;
   }
 
@@ -100,9 +100,9 @@ OneBodyRuns counted(const OneBodyTask& task, std::span<const OneBodyRun> runs) {
   TransientTally tally(task.study, task.sampler);
   OneBodyRuns result;
   for (const OneBodyRun& r : runs) {
-    tally.add(r.fate, r.row);
-    result.stalled += r.fate.outcome == Outcome::stalled;
-    result.open += r.fate.outcome == Outcome::undecided;
+    tally.add(r.outcome, r.row);
+    result.stalled += r.outcome.kind == OutcomeKind::stalled;
+    result.open += r.outcome.kind == OutcomeKind::undecided;
   }
   const TransientResult all = tally.result(Catalogue());
   result.figures = all.groups.front();

@@ -29,7 +29,7 @@ std::optional<WithoutBalls> without_balls(const OneBodyTask& task);
 
 /// How one start ended as one body.
 struct OneBodyRun {
-  Fate fate;
+  Outcome outcome;
   TransientRow row;
 };
 /// For callers that show results as they come: the runs of starts first .. first + count - 1, and how they end.

@@ -51,7 +51,7 @@ void check_whole(const BasinResult& result) {
 
 void check_outcomes(const StartArrays& a) {
   for (std::size_t i = 0; i < a.starts; ++i)
-    if (!fate_of(a, i))
+    if (!outcome_of(a, i))
       throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
                        "must be an outcome that basin() returned");
 }

@@ -90,28 +90,28 @@ Mapper::~Mapper() = default;
 Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
-Fate Mapper::operator()(const InitialState& start) const {
+Outcome Mapper::operator()(const InitialState& start) const {
   const std::span<const InitialState> alone(&start, 1);
   check_states(state_->study, alone);
   Decided decided;
   state_->session.decide(alone, decided);
   state_->settle(decided);
-  return decided.fates.front();
+  return decided.outcomes.front();
 }
 
-std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, const RunOptions& options) const {
+std::vector<Outcome> Mapper::operator()(const std::vector<InitialState>& starts, const RunOptions& options) const {
   check_states(state_->study, starts);
   return long_call(options, [&](const RunOptions& o) {
     const auto decide = [&](Chunk& c) { return state_->session.decide({&starts[c.first], c.count}, c); };
-    std::vector<Fate> fates;
+    std::vector<Outcome> outcomes;
     take_chunks({.decide = decide, .threads = thread_count(o.threads), .stop = o.stop}, 0, starts.size(),
                 [&](Chunk& c) {
                   state_->settle(c);
-                  fates.insert(fates.end(), c.fates.begin(), c.fates.end());
-                  if (o.progress) o.progress({fates.size(), starts.size(), "starts", {}});
+                  outcomes.insert(outcomes.end(), c.outcomes.begin(), c.outcomes.end());
+                  if (o.progress) o.progress({outcomes.size(), starts.size(), "starts", {}});
                   return true;
                 });
-    return fates;
+    return outcomes;
   });
 }
 
@@ -133,12 +133,12 @@ Decided Mapper::at_angles(const std::vector<double>& phi) const {
   Decided those;
   if (!given.empty()) state_->session.decide(given, those);
   state_->settle(those);
-  Fate none;
-  none.outcome = Outcome::failed;
+  Outcome none;
+  none.kind = OutcomeKind::failed;
   none.time = std::numeric_limits<double>::quiet_NaN();
-  Decided all{phi, std::vector<Fate>(count, none), {}, std::vector<TransientRow>(state_->gathers ? count : 0)};
+  Decided all{phi, std::vector<Outcome>(count, none), {}, std::vector<TransientRow>(state_->gathers ? count : 0)};
   for (std::size_t k = 0; k < places.size(); ++k) {
-    all.fates[places[k]] = those.fates[k];
+    all.outcomes[places[k]] = those.outcomes[k];
     if (state_->gathers) all.transients[places[k]] = those.transients[k];
   }
   return all;
@@ -169,8 +169,8 @@ std::string Mapper::name(int attractor) const {
   return found ? found->name : "";
 }
 
-std::string Mapper::name(const Fate& fate) const {
-  return fate.outcome == Outcome::attracted ? name(fate.attractor) : name_of(fate.outcome);
+std::string Mapper::name(const Outcome& outcome) const {
+  return outcome.kind == OutcomeKind::attracted ? name(outcome.attractor) : name_of(outcome.kind);
 }
 
 Catalogue Mapper::attractors() const {

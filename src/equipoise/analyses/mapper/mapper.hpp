@@ -44,10 +44,10 @@ class Mapper {
 
   /// The outcome of a start in this state at t = 0, taken through the study's spin-up and release. Throws InputError
   /// for states that no start can have (BasinOptions::initial), and for a study with uncertain values.
-  Fate operator()(const InitialState& start) const;
+  Outcome operator()(const InitialState& start) const;
   /// Many states, side by side on lanes and threads: at least ten times as fast as one by one. Progress counts starts.
   /// Once stopped, returns the outcomes of the first ones. Uses the current CPU target, or options.cpu_target.
-  std::vector<Fate> operator()(const std::vector<InitialState>& starts, const RunOptions& options = {}) const;
+  std::vector<Outcome> operator()(const std::vector<InitialState>& starts, const RunOptions& options = {}) const;
   /// Starts at the study's [initial], but with these ball angles, `balls` a start. A start with overlapping balls has
   /// failed. Throws InputError for uncertain values, or angles that are not finite.
   Decided at_angles(const std::vector<double>& phi) const;
@@ -66,7 +66,7 @@ class Mapper {
   /// An attractor's name; empty if no attractor has this identifier.
   std::string name(int attractor) const;
   /// The attractor's name, or the outcome's, such as "undecided".
-  std::string name(const Fate& fate) const;
+  std::string name(const Outcome& outcome) const;
   /// The attractors known so far.
   Catalogue attractors() const;
 

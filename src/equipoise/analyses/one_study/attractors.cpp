@@ -25,9 +25,9 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
     };
   // An ensemble counts all starts whose rotor does not come up to speed as one outcome. Here they count by motion.
   std::map<int, std::uint64_t> stalled;
-  search.fate = [&](const Fate& fate) {
-    if (fate.outcome == Outcome::stalled) ++stalled[fate.attractor];
-    if (options.fate) options.fate(fate);
+  search.outcome = [&](const Outcome& outcome) {
+    if (outcome.kind == OutcomeKind::stalled) ++stalled[outcome.attractor];
+    if (options.outcome) options.outcome(outcome);
   };
   Catalogue catalogue;
   result.basin = basin(study, search, &catalogue);

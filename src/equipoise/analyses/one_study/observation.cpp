@@ -47,13 +47,13 @@ bool follow(const Study& study, const StartSource& source, std::uint64_t first, 
                              study.system().layout().tilt,
                              watched_shaft(study).places};
   const double until = result.end_of(result.windows - 1);
-  std::vector<Fate> fates(count);
+  std::vector<Outcome> outcomes(count);
   for (std::size_t k = source.first_free(); k < source.segments().size(); ++k) {
     BatchTask task = source.task(k, states);
     task.end = std::min(task.end, until);
     task.radius = &record;
     if (!(task.segment.begin < task.end)) break;
-    if (!advance_batch(task, fates)) return false;
+    if (!advance_batch(task, outcomes)) return false;
     if (task.end < task.segment.end) break;
     source.cross(k, states);
   }

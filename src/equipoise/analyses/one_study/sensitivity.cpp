@@ -62,17 +62,17 @@ class PickFreeze {
     }
     if (session_.stopped() || !session_.decide(drawn, chunk)) return false;
     for (const UnlistedStart& u : chunk.unlisted)
-      if (u.motion && u.motion->stable) chunk.fates[u.place].attractor = static_cast<short>(u.name.id);
+      if (u.motion && u.motion->stable) chunk.outcomes[u.place].attractor = static_cast<short>(u.name.id);
     return true;
   }
 
   void take(const Chunk& chunk) {
-    for (std::size_t i = 0; i < chunk.fates.size(); ++i) {
-      const Fate& fate = chunk.fates[i];
-      const bool balanced = fate.outcome == Outcome::attracted && fate.attractor == balanced_id;
+    for (std::size_t i = 0; i < chunk.outcomes.size(); ++i) {
+      const Outcome& outcome = chunk.outcomes[i];
+      const bool balanced = outcome.kind == OutcomeKind::attracted && outcome.attractor == balanced_id;
       rows_.outcomes.push_back(balanced ? 1.0 : 0.0);
       if (i % (keys_ + 2) < 2) balanced_ += balanced;
-      result_.undecided += fate.outcome == Outcome::undecided;
+      result_.undecided += outcome.kind == OutcomeKind::undecided;
     }
     if (options_.progress) options_.progress({rows_.rows(), options_.rows, "rows of the sensitivity", {}});
   }

@@ -124,10 +124,10 @@ class Discoverer {
   void find_candidates() {
     std::vector<std::size_t> stationary, wandering;
     for (std::size_t i = 0; i < s_.pilot.followed(); ++i) {
-      const Fate& fate = s_.pilot.fates()[i];
-      if (fate.attractor == 0 && s_.shows_balance(i)) continue;
-      if (fate.outcome == Outcome::attracted && fate.attractor == 0) stationary.push_back(i);
-      if (fate.outcome == Outcome::undecided && s_.pilot.records()[i].finished_window &&
+      const Outcome& outcome = s_.pilot.outcomes()[i];
+      if (outcome.attractor == 0 && s_.shows_balance(i)) continue;
+      if (outcome.kind == OutcomeKind::attracted && outcome.attractor == 0) stationary.push_back(i);
+      if (outcome.kind == OutcomeKind::undecided && s_.pilot.records()[i].finished_window &&
           !s_.known_as(s_.pilot.records()[i].features, s_.pilot.rotor(i)))
         wandering.push_back(i);
     }
@@ -154,10 +154,11 @@ class Discoverer {
     only_balance.boxes = {*s_.balance_box};
     only_balance.first_long_window = *s_.study.numerics.horizon;
     const double time = 2.0 * s_.balance_box->hits_needed * 0.5 * s_.result.rule.window;
-    const std::vector<Fate> fates = s_.fates_of(candidates_, only_balance, time / only_balance.first_long_window);
+    const std::vector<Outcome> outcomes =
+        s_.outcomes_of(candidates_, only_balance, time / only_balance.first_long_window);
     std::vector<Candidate> others;
     for (std::size_t k = 0; k < candidates_.size(); ++k)
-      if (fates[k].attractor != balanced_id) others.push_back(std::move(candidates_[k]));
+      if (outcomes[k].attractor != balanced_id) others.push_back(std::move(candidates_[k]));
     candidates_ = std::move(others);
   }
 
@@ -175,12 +176,12 @@ class Discoverer {
     ClassificationRule later = s_.result.rule;
     later.first_long_window *= later_windows;
     later.boxes.clear();
-    const std::vector<Fate> fates = s_.fates_of(candidates_, later, pilot_windows);
+    const std::vector<Outcome> outcomes = s_.outcomes_of(candidates_, later, pilot_windows);
     std::vector<Candidate> unknown;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (fates[k].attractor == 0)
+      if (outcomes[k].attractor == 0)
         unknown.push_back(std::move(candidates_[k]));
-      else if (const Attractor* a = s_.result.catalogue.find(fates[k].attractor)) {
+      else if (const Attractor* a = s_.result.catalogue.find(outcomes[k].attractor)) {
         Candidate& c = candidates_[k];
         // As well as two windows of that attractor agree.
         const KnownFeatures* known = s_.looks_like(c.features, c.own, agreement(a->motion.kind), a->id);

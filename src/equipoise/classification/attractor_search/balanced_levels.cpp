@@ -35,9 +35,9 @@ double nearest_elsewhere(const Search& s) {
   double nearest = 1e300;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < pilot.followed(); ++i) {
-    const Fate& fate = pilot.fates()[i];
-    if (fate.attractor == balanced_id) continue;
-    if (fate.outcome == Outcome::undecided)
+    const Outcome& outcome = pilot.outcomes()[i];
+    if (outcome.attractor == balanced_id) continue;
+    if (outcome.kind == OutcomeKind::undecided)
       open.push_back(i);
     else
       nearest = std::min(nearest, least(i));

@@ -41,7 +41,7 @@ SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
   constexpr double beyond_resonance = 3.0;  // range searched if the motor has no speed of its own
   SpunUp starts;
   for (std::size_t i = 0; drawn_ && i < count; ++i) starts.rotors.push_back(drawn_->rotor(first + i));
-  starts.fates.assign(count, Fate{});
+  starts.outcomes.assign(count, Outcome{});
   const std::size_t size = system_.dimension();
   starts.states.assign(count * size, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -84,24 +84,24 @@ bool PilotRun::make() {
   append(together);
   scouts_ = begin_.size() / system_.dimension();
   if (!add(scouting, all - scouting)) return false;
-  fates_.resize(begin_.size() / system_.dimension());
-  records_.resize(fates_.size());
+  outcomes_.resize(begin_.size() / system_.dimension());
+  records_.resize(outcomes_.size());
   return true;
 }
 
 namespace {
 
-// Fates of the first starts, one after the other; states only of those without a name.
+// Outcomes of the first starts, one after the other; states only of those without a name.
 struct Followed {
   bool complete = false;
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   std::vector<PilotRecord> records;
   std::vector<double> states;
 };
 
 template <class Bytes, Like<Followed> T>
 void members(Bytes& b, T& f) {
-  b(f.complete, f.fates, f.records, f.states);
+  b(f.complete, f.outcomes, f.records, f.states);
 }
 
 }  // namespace
@@ -109,30 +109,31 @@ void members(Bytes& b, T& f) {
 bool PilotRun::follow(std::size_t count, const ClassificationRule& rule, double horizon, int threads,
                       const StopFlag* stop, StageProgress& stages, NotePage& notes) {
   const auto size = static_cast<std::size_t>(system_.dimension());
-  const auto each_unnamed = [&](const std::vector<Fate>& fates, auto&& visit) {
+  const auto each_unnamed = [&](const std::vector<Outcome>& outcomes, auto&& visit) {
     for (std::size_t i = 0; i < count; ++i)
-      if (fates[i].attractor == 0) visit(&states_[i * size]);
+      if (outcomes[i].attractor == 0) visit(&states_[i * size]);
   };
   const Followed followed = notes.answer(
       "pilot", stop,
       [&] {
         Followed now{decide(count, rule, horizon, threads, stop, stages), {}, {}, {}};
-        now.fates.assign(fates_.begin(), fates_.begin() + static_cast<std::ptrdiff_t>(count));
+        now.outcomes.assign(outcomes_.begin(), outcomes_.begin() + static_cast<std::ptrdiff_t>(count));
         now.records.assign(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(count));
-        each_unnamed(now.fates, [&](const double* state) { now.states.insert(now.states.end(), state, state + size); });
+        each_unnamed(now.outcomes,
+                     [&](const double* state) { now.states.insert(now.states.end(), state, state + size); });
         return now;
       },
       [&](const Followed& known) {
         std::size_t unnamed = 0;
-        for (const Fate& fate : known.fates) unnamed += fate.attractor == 0;
-        return known.fates.size() == count && known.records.size() == count && known.states.size() == unnamed * size;
+        for (const Outcome& outcome : known.outcomes) unnamed += outcome.attractor == 0;
+        return known.outcomes.size() == count && known.records.size() == count && known.states.size() == unnamed * size;
       });
   followed_ = count;
   states_ = begin_;
-  std::copy(followed.fates.begin(), followed.fates.end(), fates_.begin());
+  std::copy(followed.outcomes.begin(), followed.outcomes.end(), outcomes_.begin());
   std::copy(followed.records.begin(), followed.records.end(), records_.begin());
   auto next = followed.states.begin();
-  each_unnamed(followed.fates, [&](double* state) {
+  each_unnamed(followed.outcomes, [&](double* state) {
     std::copy(next, next + static_cast<std::ptrdiff_t>(size), state);
     next += static_cast<std::ptrdiff_t>(size);
   });
@@ -160,13 +161,13 @@ bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double 
     task.count = length;
     task.states = &states_[first * size];
     task.stop = stop;
-    std::vector<Fate> fates(length);
+    std::vector<Outcome> outcomes(length);
     std::vector<PilotRecord> records(length);
-    if (classify_batch(task, rule, fates, &records))
+    if (classify_batch(task, rule, outcomes, &records))
       stages.add(length);
     else
       complete = false;
-    std::copy(fates.begin(), fates.end(), fates_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy(outcomes.begin(), outcomes.end(), outcomes_.begin() + static_cast<std::ptrdiff_t>(first));
     std::copy(records.begin(), records.end(), records_.begin() + static_cast<std::ptrdiff_t>(first));
   });
   return complete;
@@ -179,7 +180,7 @@ Eigen::Map<const Eigen::VectorXd> PilotRun::state(std::size_t i) const {
 
 Eigen::VectorXd PilotRun::state_on_section(std::size_t i) const {
   const model::Segment& segment = rotors_.empty() ? task_.segment : rotors_[i].segment;
-  return at_next_section(system(i), state(i), segment.psi_at(fates_[i].time)).value_or(state(i));
+  return at_next_section(system(i), state(i), segment.psi_at(outcomes_[i].time)).value_or(state(i));
 }
 
 }  // namespace equipoise

@@ -55,13 +55,13 @@ class PilotRun {
   bool follow(std::size_t count, const ClassificationRule& rule, double horizon, int threads, const StopFlag* stop,
               StageProgress& stages, NotePage& notes);
 
-  std::size_t size() const { return fates_.size(); }
+  std::size_t size() const { return outcomes_.size(); }
   /// How many outcomes and records are known.
   std::size_t followed() const { return followed_; }
-  const std::vector<Fate>& fates() const { return fates_; }
+  const std::vector<Outcome>& outcomes() const { return outcomes_; }
   const std::vector<PilotRecord>& records() const { return records_; }
   /// Names the motion of an undecided start.
-  void name(std::size_t i, int attractor) { fates_[i].attractor = static_cast<short>(attractor); }
+  void name(std::size_t i, int attractor) { outcomes_[i].attractor = static_cast<short>(attractor); }
   /// Where start `i` was decided, and from where it can be followed on without the rotor's angle: on the next
   /// stroboscopic section, if there is one.
   Eigen::Map<const Eigen::VectorXd> state(std::size_t i) const;
@@ -87,7 +87,7 @@ class PilotRun {
   const BatchTask task_;
   std::vector<double> begin_, states_;
   std::vector<OwnRotor> rotors_;  // each start's own, or none
-  std::vector<Fate> fates_;
+  std::vector<Outcome> outcomes_;
   std::vector<PilotRecord> records_;
   std::size_t scouts_ = 0, random_ones_ = 0, followed_ = 0;
 };

@@ -41,7 +41,7 @@ std::size_t groups_followed(const model::System& system, SearchMode mode, bool d
 // Follows states by a rule, from psi = 0, as on a stroboscopic section, for `longest` times its first long window.
 // False if stopped.
 bool follow_windows(const Search& s, std::vector<double> states, const std::vector<const OwnRotor*>& own,
-                    const ClassificationRule& rule, double longest, std::vector<Fate>& fates,
+                    const ClassificationRule& rule, double longest, std::vector<Outcome>& outcomes,
                     std::vector<PilotRecord>* records) {
   BatchTask task = batch_task(s.system);
   task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
@@ -55,7 +55,7 @@ bool follow_windows(const Search& s, std::vector<double> states, const std::vect
   }
   const std::vector<const OwnRotor*> pointers = pointers_to(rotors);
   task.take(states, pointers, {});
-  return fates.empty() || classify_batch(task, rule, fates, records);
+  return outcomes.empty() || classify_batch(task, rule, outcomes, records);
 }
 
 // Makes half a window hold whole periods of the section, so that motions in step with the rotor look the same in all.
@@ -122,9 +122,9 @@ std::vector<PilotRecord> Search::windows_of(const std::vector<const Motion*>& mo
     windows_only.window = result.rule.window;
     windows_only.first_long_window = result.rule.first_long_window;
     windows_only.sameness = result.rule.sameness;
-    std::vector<Fate> fates(motions.size());
+    std::vector<Outcome> outcomes(motions.size());
     std::vector<PilotRecord> records(motions.size());
-    if (!follow_windows(*this, std::move(states), own, windows_only, pilot_windows, fates, &records))
+    if (!follow_windows(*this, std::move(states), own, windows_only, pilot_windows, outcomes, &records))
       records.assign(motions.size(), {});
     return records;
   };
@@ -132,28 +132,29 @@ std::vector<PilotRecord> Search::windows_of(const std::vector<const Motion*>& mo
                [&](const std::vector<PilotRecord>& records) { return records.size() == motions.size(); });
 }
 
-std::vector<Fate> Search::fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
-                                   ClassificationRule rule, double longest) {
+std::vector<Outcome> Search::outcomes_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
+                                         ClassificationRule rule, double longest) {
   rule.blind = false;
   const std::size_t count = states.size() / static_cast<std::size_t>(system.dimension());
   const auto follow_all = [&] {
-    std::vector<Fate> fates(count);
-    if (!follow_windows(*this, states, own, rule, longest, fates, nullptr)) fates.assign(count, {});
-    return fates;
+    std::vector<Outcome> outcomes(count);
+    if (!follow_windows(*this, states, own, rule, longest, outcomes, nullptr)) outcomes.assign(count, {});
+    return outcomes;
   };
-  return noted("outcomes by windows", follow_all,
-               [&](const std::vector<Fate>& fates) { return fates.size() * system.dimension() == states.size(); });
+  return noted("outcomes by windows", follow_all, [&](const std::vector<Outcome>& outcomes) {
+    return outcomes.size() * system.dimension() == states.size();
+  });
 }
 
-std::vector<Fate> Search::fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule,
-                                   double longest) {
+std::vector<Outcome> Search::outcomes_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule,
+                                         double longest) {
   std::vector<double> states;
   std::vector<const OwnRotor*> own;
   for (const Candidate& c : candidates) {
     states.insert(states.end(), c.state.begin(), c.state.end());
     if (c.own) own.push_back(c.own);
   }
-  return fates_of(states, own, rule, longest);
+  return outcomes_of(states, own, rule, longest);
 }
 
 const KnownFeatures* Search::known_as(const Features& f, const OwnRotor* own) const {

@@ -92,9 +92,10 @@ struct Search {
                                       const std::vector<const OwnRotor*>& own);
   /// Decides trajectories by the rule's trapping regions and windows alone, for `longest` times its first long window.
   /// The states lie on a stroboscopic section, if there is one.
-  std::vector<Fate> fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
-                             ClassificationRule rule, double longest);
-  std::vector<Fate> fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule, double longest);
+  std::vector<Outcome> outcomes_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
+                                   ClassificationRule rule, double longest);
+  std::vector<Outcome> outcomes_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule,
+                                   double longest);
 
   /// The known motion that looks like this, or null. `own`: the rotor that shows it, or null.
   const KnownFeatures* known_as(const Features& f, const OwnRotor* own) const;

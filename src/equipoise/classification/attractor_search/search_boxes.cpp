@@ -40,9 +40,9 @@ FeatureBox range_of(const Search& s, const Candidate& c) {
 void name_undecided(Search& s, const std::vector<Candidate>& found) {
   for (const Candidate& c : found)
     for (const std::size_t i : c.members)
-      if (s.drawn && s.pilot.fates()[i].attractor == 0) s.pilot.name(i, c.attractor);
+      if (s.drawn && s.pilot.outcomes()[i].attractor == 0) s.pilot.name(i, c.attractor);
   for (std::size_t i = 0; i < s.pilot.followed(); ++i) {
-    if (s.pilot.fates()[i].outcome != Outcome::undecided || !s.pilot.records()[i].finished_window) continue;
+    if (s.pilot.outcomes()[i].kind != OutcomeKind::undecided || !s.pilot.records()[i].finished_window) continue;
     const Features& features = s.pilot.records()[i].features;
     const OwnRotor* own = s.pilot.rotor(i);
     if (s.shows_balance(i))
@@ -121,17 +121,18 @@ void audit_boxes(Search& s, const std::vector<Candidate>& found) {
   for (std::size_t b = 0; b < s.result.rule.boxes.size(); ++b) {
     FeatureBox box = s.result.rule.boxes[b];
     const bool restless = s.result.catalogue.find(box.attractor)->motion.kind == MotionKind::chaotic;
-    box.hits_needed = hits_from_audit(s.pilot.fates(), s.pilot.records(), b, box.attractor, restless);
+    box.hits_needed = hits_from_audit(s.pilot.outcomes(), s.pilot.records(), b, box.attractor, restless);
     if (box.hits_needed) kept.push_back(box);
   }
   s.result.rule.boxes = kept;
 }
 
 bool scouts_suffice(const Search& s) {
-  const std::vector<Fate>& fates = s.pilot.fates();
+  const std::vector<Outcome>& outcomes = s.pilot.outcomes();
   return !(s.system.simple() && s.system.autonomous()) && s.result.rule.boxes.empty() &&
-         std::all_of(fates.begin(), fates.begin() + static_cast<std::ptrdiff_t>(s.pilot.random_ones()),
-                     [](const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor != 0; });
+         std::all_of(
+             outcomes.begin(), outcomes.begin() + static_cast<std::ptrdiff_t>(s.pilot.random_ones()),
+             [](const Outcome& outcome) { return outcome.kind == OutcomeKind::attracted && outcome.attractor != 0; });
 }
 
 }  // namespace equipoise

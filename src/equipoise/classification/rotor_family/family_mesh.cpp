@@ -151,21 +151,21 @@ class MeshMaker {
     task.end = source.settled() + horizon;
     task.take(starts.states, own, starts.begins);
     task.stop = settings_.stop;
-    std::vector<Fate> fates(judged);
-    if (!classify_batch(task, cell.search.rule, fates, nullptr)) return judgement;
+    std::vector<Outcome> outcomes(judged);
+    if (!classify_batch(task, cell.search.rule, outcomes, nullptr)) return judgement;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < judged; ++i)
-      if (fates[i].outcome == Outcome::undecided) open.push_back(i);
-    judgement.follows_open = settle(starts, fates, open, std::min(horizon, lasting_chaos));
+      if (outcomes[i].kind == OutcomeKind::undecided) open.push_back(i);
+    judgement.follows_open = settle(starts, outcomes, open, std::min(horizon, lasting_chaos));
     if (is_set(settings_.stop)) return judgement;
-    if (judgement.follows_open && !follow_on(task, open, cell, starts, fates)) return judgement;
+    if (judgement.follows_open && !follow_on(task, open, cell, starts, outcomes)) return judgement;
     const double unknown = dear * std::min(1.0, met_by_a_rotor * starts_.rotors / starts_.count);
     std::vector<double> costs;
     for (std::size_t i = 0; i < judged; ++i) {
-      const bool is_open = fates[i].outcome == Outcome::undecided;
+      const bool is_open = outcomes[i].kind == OutcomeKind::undecided;
       const bool followed =
-          is_open ? judgement.follows_open : fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
-      costs.push_back((fates[i].time - starts.begins[i]) / soon + (followed ? unknown : 0.0));
+          is_open ? judgement.follows_open : outcomes[i].kind == OutcomeKind::attracted && outcomes[i].attractor == 0;
+      costs.push_back((outcomes[i].time - starts.begins[i]) / soon + (followed ? unknown : 0.0));
       judgement.cost += costs.back() / judged;
     }
     for (std::size_t k = 0; k < family_.size(); ++k) judgement.unlike.push_back(unlikeness(costs, source, k));
@@ -173,7 +173,7 @@ class MeshMaker {
   }
 
   // Whether starts left open by the horizon mostly end in a motion soon, judged by the first of them.
-  bool settle(const SpunUp& starts, const std::vector<Fate>& fates, const std::vector<std::size_t>& open,
+  bool settle(const SpunUp& starts, const std::vector<Outcome>& outcomes, const std::vector<std::size_t>& open,
               double patience) const {
     const std::size_t count = std::min(open.size(), looked_at);
     std::vector<char> settles(count);
@@ -181,7 +181,7 @@ class MeshMaker {
       const OwnRotor& own = starts.rotors[open[k]];
       const int size = own.system.dimension();
       const Eigen::Map<const Eigen::VectorXd> z(&starts.states[open[k] * static_cast<std::size_t>(size)], size);
-      const auto on_section = at_next_section(own.system, z, own.segment.psi_at(fates[open[k]].time));
+      const auto on_section = at_next_section(own.system, z, own.segment.psi_at(outcomes[open[k]].time));
       const auto motion = motion_from(own.system, on_section.value_or(z), patience, settings_.stop);
       settles[k] = motion && motion->stable;
     });
@@ -190,7 +190,7 @@ class MeshMaker {
 
   // Follows open starts on, as the cell will.
   bool follow_on(BatchTask task, const std::vector<std::size_t>& open, const FamilyCell& cell, const SpunUp& starts,
-                 std::vector<Fate>& fates) const {
+                 std::vector<Outcome>& outcomes) const {
     const std::size_t count = std::min(open.size(), followed_on), size = starts.states.size() / judged;
     if (count == 0) return true;
     std::vector<double> states;
@@ -205,10 +205,10 @@ class MeshMaker {
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     const std::vector<double> begins(count, horizon);
     task.take(states, own, begins);
-    std::vector<Fate> later(count);
+    std::vector<Outcome> later(count);
     if (!classify_batch(task, cell.search.rule, later, nullptr)) return false;
     // These outcomes represent those of all open starts.
-    for (std::size_t k = 0; k < open.size(); ++k) fates[open[k]] = later[k % count];
+    for (std::size_t k = 0; k < open.size(); ++k) outcomes[open[k]] = later[k % count];
     return true;
   }
 

@@ -26,11 +26,12 @@ std::vector<FeatureTrends::Lasting> lasting(Search& s, int attractor, const Eige
   std::vector<double> states;
   for (std::size_t k = 0; k < own.size(); ++k) states.insert(states.end(), state.begin(), state.end());
   const ClassificationRule& rule = s.result.rule;
-  const std::vector<Fate> fates = s.fates_of(states, own, rule, rule.chaos_lasts / rule.first_long_window);
+  const std::vector<Outcome> outcomes = s.outcomes_of(states, own, rule, rule.chaos_lasts / rule.first_long_window);
   std::vector<FeatureTrends::Lasting> result;
   for (std::size_t k = 0; k < own.size(); ++k)
-    result.push_back({own[k]->coordinates, fates[k].attractor == attractor || fates[k].outcome == Outcome::undecided ||
-                                               fates[k].time >= 0.9 * rule.chaos_lasts});
+    result.push_back({own[k]->coordinates, outcomes[k].attractor == attractor ||
+                                               outcomes[k].kind == OutcomeKind::undecided ||
+                                               outcomes[k].time >= 0.9 * rule.chaos_lasts});
   return result;
 }
 

@@ -66,7 +66,7 @@ class Session::Batch {
   std::vector<std::size_t> cell_;  // their cells of the mesh
   bool watched_;
   TransientTable table_;  // if watched
-  std::vector<Fate> fates_;
+  std::vector<Outcome> outcomes_;
   std::optional<std::vector<PilotRecord>> records_;  // of all starts, if needed
   // Of few starts: what those that were followed look like (`attractor`: their place here), and what they came to.
   std::vector<KnownFeatures> looks_;

@@ -42,7 +42,7 @@ bool Session::Batch::begin(std::span<const InitialState> given) {
 
 // Applies the rule to all starts that are not over; the others keep their outcomes.
 bool Session::Batch::classify() {
-  fates_ = starts_.fates;
+  outcomes_ = starts_.outcomes;
   if (few()) records_.emplace(starts_.size());
   std::vector<std::vector<std::size_t>> places(s_.mesh_.cells.size());
   for (std::size_t i = 0; i < starts_.size(); ++i)
@@ -72,14 +72,14 @@ bool Session::Batch::classify(const FamilyCell& cell, const std::vector<std::siz
   }
   task.take(states, own, begins);
   if (watched_) task.transients = &rows;
-  std::vector<Fate> decided(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts_.fates[places[k]].met;
+  std::vector<Outcome> decided(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts_.outcomes[places[k]].met;
   std::vector<PilotRecord> records(records_ ? places.size() : 0);
   if (!classify_batch(task, cell.search.rule, decided, records_ ? &records : nullptr)) return false;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
-    fates_[i] = decided[k];
-    fates_[i].attractor = static_cast<short>(cell.id(decided[k].attractor));
+    outcomes_[i] = decided[k];
+    outcomes_[i].attractor = static_cast<short>(cell.id(decided[k].attractor));
     if (records_) (*records_)[i] = records[k];
     std::copy_n(&states[k * size], size, &starts_.states[i * size]);
   }
@@ -93,44 +93,44 @@ bool Session::Batch::finish(Decided& decided) {
   decided.unlisted.clear();
   decided.transients.assign(watched_ ? count : 0, TransientRow{});
   for (std::size_t i = 0; i < count; ++i) {
-    Fate& fate = fates_[i];
+    Outcome& outcome = outcomes_[i];
     std::optional<UnlistedStart> unlisted;
     std::optional<MotionFigures> end;  // of its motion, if known
     // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
     const bool left = is_left(i), open = left && follows_open(i);
-    if (open) fate.outcome = Outcome::attracted;
-    const bool arrives = fate.outcome == Outcome::attracted;
-    if (arrives && fate.attractor <= 0) {
+    if (open) outcome.kind = OutcomeKind::attracted;
+    const bool arrives = outcome.kind == OutcomeKind::attracted;
+    if (arrives && outcome.attractor <= 0) {
       unlisted = follow_on(i, open);
       if (!unlisted) return false;
       const std::optional<Motion>& motion = unlisted->motion;
       if (watched_ && motion && motion->kind != MotionKind::measured && motion->stable)
         end = motion_figures(system(i).parameters(), *motion, table_.settings_of(i).shaft);
     } else if (arrives) {
-      if (s_.system_.coasts()) fate.by = DecidedBy::followed;
-      fate.mean_speed = static_cast<float>(mean_speed(i));
-      end = table_.end_of(fate.attractor).figures;
+      if (s_.system_.coasts()) outcome.by = DecidedBy::followed;
+      outcome.mean_speed = static_cast<float>(mean_speed(i));
+      end = table_.end_of(outcome.attractor).figures;
       // Balls held by dry friction leave a different unbalance after each start.
-      const Attractor* listed = s_.catalogue().find(fate.attractor);
-      if (listed && listed->motion.set_valued) fate.unbalance = unbalance_of(system(i), state(i));
-    } else if (left && is_in_chaos(i, when_recognised(i, fate.time), fate.time)) {
-      unlisted = in_chaos(i, fate.time);
-      fate.outcome = Outcome::attracted;
-      fate.by = DecidedBy::horizon;
+      const Attractor* listed = s_.catalogue().find(outcome.attractor);
+      if (listed && listed->motion.set_valued) outcome.unbalance = unbalance_of(system(i), state(i));
+    } else if (left && is_in_chaos(i, when_recognised(i, outcome.time), outcome.time)) {
+      unlisted = in_chaos(i, outcome.time);
+      outcome.kind = OutcomeKind::attracted;
+      outcome.by = DecidedBy::horizon;
     }
     // Whatever its motion is called, the motor did not bring the rotor up to speed.
-    if (arrives && !s_.system_.prescribed() && std::fabs(fate.mean_speed) < study(i).stall_speed())
-      fate.outcome = Outcome::stalled;
+    if (arrives && !s_.system_.prescribed() && std::fabs(outcome.mean_speed) < study(i).stall_speed())
+      outcome.kind = OutcomeKind::stalled;
     if (unlisted) decided.unlisted.push_back(*std::move(unlisted));
     if (watched_) decided.transients[i] = row(i, end);
   }
-  decided.fates = std::move(fates_);
+  decided.outcomes = std::move(outcomes_);
   return true;
 }
 
 // Not decided by the horizon.
 bool Session::Batch::is_left(std::size_t i) const {
-  return fates_[i].outcome == Outcome::undecided && !starts_.is_over(i) && fates_[i].time >= end(i);
+  return outcomes_[i].kind == OutcomeKind::undecided && !starts_.is_over(i) && outcomes_[i].time >= end(i);
 }
 
 bool Session::Batch::follows_open(std::size_t i) const {
@@ -141,13 +141,13 @@ bool Session::Batch::follows_open(std::size_t i) const {
 
 // Follows a start that the rule does not name to its motion. `open`: the horizon left it.
 std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open) {
-  Fate& fate = fates_[i];
+  Outcome& outcome = outcomes_[i];
   // A watched trajectory has gone on since it was decided.
-  const double now = watched_ ? table_.rows[i].end : fate.time;
+  const double now = watched_ ? table_.rows[i].end : outcome.time;
   double patience = own_.empty() ? followed_for(s_.system_, s_.mode_) : open ? a_look : lasting_chaos;
-  std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(i)
-                                       : few()            ? unlisted_of_few(i, now)
-                                                          : followed(i, now, patience);
+  std::optional<UnlistedStart> start = outcome.attractor < 0 ? met_again(i)
+                                       : few()               ? unlisted_of_few(i, now)
+                                                             : followed(i, now, patience);
   if (!start) return start;
   // Few starts are not all followed.
   const bool chaos = !start->motion && !few() && is_in_chaos(i, start->state, now + patience);
@@ -159,14 +159,14 @@ std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open)
   }
   if (chaos && !start->motion) {
     start = in_chaos(i, now);
-    fate.time = std::max(fate.time, now + patience);
+    outcome.time = std::max(outcome.time, now + patience);
   }
   const std::optional<Motion>& motion = start->motion;
   const bool measured = motion && motion->kind == MotionKind::measured;
-  fate.attractor = 0;
-  fate.by = measured ? DecidedBy::windows : DecidedBy::followed;
-  if (motion && !measured && !system(i).prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
-  if (motion && motion->set_valued) fate.unbalance = unbalance_of(system(i), motion->state.data());
+  outcome.attractor = 0;
+  outcome.by = measured ? DecidedBy::windows : DecidedBy::followed;
+  if (motion && !measured && !system(i).prescribed()) outcome.mean_speed = static_cast<float>(motion->speed);
+  if (motion && motion->set_valued) outcome.unbalance = unbalance_of(system(i), motion->state.data());
   return start;
 }
 
@@ -184,20 +184,20 @@ UnlistedStart Session::Batch::in_chaos(std::size_t i, double now) const {
 // The mean speed of a driven rotor is its attractor's, for a trapping region may catch it before it has turned for
 // long. A coasting rotor keeps the speed that it has in balance; any other end is at rest.
 double Session::Batch::mean_speed(std::size_t i) const {
-  const Fate& fate = fates_[i];
-  const bool balanced = fate.attractor == balanced_id;
-  if (s_.system_.prescribed()) return fate.mean_speed;
+  const Outcome& outcome = outcomes_[i];
+  const bool balanced = outcome.attractor == balanced_id;
+  if (s_.system_.prescribed()) return outcome.mean_speed;
   if (s_.system_.coasts()) return balanced ? state(i)[s_.system_.layout().speed] : 0.0;
-  if (!own_.empty() && balanced) return model::balanced_speed(system(i)).value_or(fate.mean_speed);
+  if (!own_.empty() && balanced) return model::balanced_speed(system(i)).value_or(outcome.mean_speed);
   // A start decided by windows has long turned at its speed. One caught by a trapping region may still be speeding up.
-  const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
-  const bool own_mean = !own_.empty() && seen && !std::isnan(fate.mean_speed);
-  const Attractor* a = own_mean ? nullptr : s_.catalogue().find(fate.attractor);
-  return a && a->motion.kind != MotionKind::measured ? a->motion.speed : fate.mean_speed;
+  const bool seen = outcome.by == DecidedBy::windows || outcome.by == DecidedBy::horizon;
+  const bool own_mean = !own_.empty() && seen && !std::isnan(outcome.mean_speed);
+  const Attractor* a = own_mean ? nullptr : s_.catalogue().find(outcome.attractor);
+  return a && a->motion.kind != MotionKind::measured ? a->motion.speed : outcome.mean_speed;
 }
 
 TransientRow Session::Batch::row(std::size_t i, const std::optional<MotionFigures>& end) const {
-  const bool lost = fates_[i].outcome == Outcome::diverged || fates_[i].outcome == Outcome::failed;
+  const bool lost = outcomes_[i].kind == OutcomeKind::diverged || outcomes_[i].kind == OutcomeKind::failed;
   TransientSettings settings = table_.settings_of(i);
   // A motor releases the balls of each start at a different time.
   if (!starts_.released.empty()) settings.release = starts_.released[i];
@@ -246,7 +246,7 @@ std::optional<UnlistedStart> Session::Batch::unlisted_of_few(std::size_t i, doub
 }
 
 UnlistedStart Session::Batch::met_again(std::size_t i) const {
-  const Motion& motion = own_[i].met->motions[static_cast<std::size_t>(-fates_[i].attractor - 1)];
+  const Motion& motion = own_[i].met->motions[static_cast<std::size_t>(-outcomes_[i].attractor - 1)];
   return {i, {motion.state.begin(), motion.state.end()}, motion, motion_name(system(i).parameters(), motion)};
 }
 
@@ -264,17 +264,17 @@ std::optional<UndecidedEnd> Session::Batch::look() {
     return UndecidedEnd{
         .what = Restlessness::clamped, .reached = starts_.nearest[0], .asked = *s_.study_.release.speed};
   if (!classify()) return std::nullopt;
-  UndecidedEnd end = look_at_undecided(s_.system_, vector_of(when_recognised(0, fates_[0].time)));
-  if (fates_[0].outcome == Outcome::attracted && end.what == Restlessness::regular)
+  UndecidedEnd end = look_at_undecided(s_.system_, vector_of(when_recognised(0, outcomes_[0].time)));
+  if (outcomes_[0].kind == OutcomeKind::attracted && end.what == Restlessness::regular)
     end.what = Restlessness::unidentified;
   if (s_.system_.prescribed()) return end;
-  const float before = fates_[0].mean_speed;
+  const float before = outcomes_[0].mean_speed;
   if (!note_last_speeds()) return std::nullopt;
   const Restlessness of_rotor = restlessness(before);
   const bool changes = of_rotor == Restlessness::speeding_up || of_rotor == Restlessness::changing_speed;
   const bool waits_for_speed = end.what == Restlessness::creeping || end.what == Restlessness::near_balance;
   if (end.what == Restlessness::regular || (changes && waits_for_speed)) end.what = of_rotor;
-  if (end.what == Restlessness::speeding_up) end.reached = std::fabs(static_cast<double>(fates_[0].mean_speed));
+  if (end.what == Restlessness::speeding_up) end.reached = std::fabs(static_cast<double>(outcomes_[0].mean_speed));
   return end;
 }
 
@@ -283,8 +283,8 @@ std::optional<UndecidedEnd> Session::Batch::look() {
 Restlessness Session::Batch::restlessness(double before) const {
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;
-  const double now = fates_[0].mean_speed;
-  if (fates_[0].time - begin_of(0) < fewest_windows * cell(0).search.rule.window) return Restlessness::hardly_seen;
+  const double now = outcomes_[0].mean_speed;
+  if (outcomes_[0].time - begin_of(0) < fewest_windows * cell(0).search.rule.window) return Restlessness::hardly_seen;
   if (!(std::fabs(now - before) > steady * std::fabs(now))) return Restlessness::regular;
   return std::fabs(now) > std::fabs(before) ? Restlessness::speeding_up : Restlessness::changing_speed;
 }

@@ -10,15 +10,15 @@
 
 namespace equipoise {
 
-void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row) {
+void change_units(const model::Scales& from, const model::Scales& to, Outcome& outcome, TransientRow* row) {
   if (from.mass == to.mass && from.length == to.length && from.frequency == to.frequency) return;
   const auto change = [&](float& value, study::Dimension d) {
     value = static_cast<float>(value * (study::scale_of(d, from) / study::scale_of(d, to)));
   };
-  fate.time *= from.time() / to.time();
-  change(fate.mean_speed, study::Dimension::speed);
-  change(fate.unbalance, study::Dimension::unbalance);
-  change(fate.radius, study::Dimension::length);
+  outcome.time *= from.time() / to.time();
+  change(outcome.mean_speed, study::Dimension::speed);
+  change(outcome.unbalance, study::Dimension::unbalance);
+  change(outcome.radius, study::Dimension::length);
   if (!row) return;
   for (const TransientFigure& f : transient_figures) change(row->*f.value, *f.dimension);
 }
@@ -43,13 +43,13 @@ bool Session::decide(std::span<const DrawnStart> drawn, Decided& decided) const 
   }
   Decided those;
   if (!decide(std::move(starts), those)) return false;
-  Fate none;
-  none.outcome = Outcome::failed;
+  Outcome none;
+  none.kind = OutcomeKind::failed;
   decided.phi = std::move(phi);
-  decided.fates.assign(drawn.size(), none);
+  decided.outcomes.assign(drawn.size(), none);
   decided.transients.assign(gathers_ ? drawn.size() : 0, transient_row({}, {}, true));
   for (std::size_t k = 0; k < places.size(); ++k) {
-    decided.fates[places[k]] = those.fates[k];
+    decided.outcomes[places[k]] = those.outcomes[k];
     if (gathers_) decided.transients[places[k]] = those.transients[k];
   }
   decided.unlisted = std::move(those.unlisted);
@@ -74,7 +74,7 @@ bool Session::decide(std::vector<FamilyStart> given, Decided& decided) const {
   }
   for (std::size_t i = 0; i < scales.size(); ++i)
     if (scales[i])
-      change_units(*scales[i], *study_.scales, decided.fates[i], gathers_ ? &decided.transients[i] : nullptr);
+      change_units(*scales[i], *study_.scales, decided.outcomes[i], gathers_ ? &decided.transients[i] : nullptr);
   return true;
 }
 
@@ -85,14 +85,14 @@ bool Session::decide_coasting(const FamilyStart& start, Decided& decided) const 
   Decided one;
   if (!alone.decide({&start.own.start, 1}, one)) return false;
   catalogue.settle(one);
-  Fate& fate = one.fates.front();
-  if (const Attractor* a = catalogue.find(fate.attractor); a && fate.outcome == Outcome::attracted) {
+  Outcome& outcome = one.outcomes.front();
+  if (const Attractor* a = catalogue.find(outcome.attractor); a && outcome.kind == OutcomeKind::attracted) {
     const MotionName name{a->name, a->alias, a->id < first_free_id ? a->id : 0};
-    decided.unlisted.push_back({decided.fates.size(), {}, a->motion, name});
+    decided.unlisted.push_back({decided.outcomes.size(), {}, a->motion, name});
     decided.unlisted.back().motion->stable = true;
-    fate.attractor = 0;
+    outcome.attractor = 0;
   }
-  decided.fates.push_back(fate);
+  decided.outcomes.push_back(outcome);
   decided.transients.insert(decided.transients.end(), one.transients.begin(), one.transients.end());
   return true;
 }
@@ -117,14 +117,14 @@ bool Session::Batch::meet(std::span<const std::size_t> rotor, std::span<MetMotio
   if (!classify()) return false;
   std::vector<int> late(met.size()), settled(met.size());  // starts of the rotor that the horizon left open
   std::vector<char> restless(met.size());                  // one of the rotor's starts comes to nothing
-  for (std::size_t i = 0; i < fates_.size(); ++i) {
-    const Fate& fate = fates_[i];
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    const Outcome& outcome = outcomes_[i];
     const std::size_t r = rotor[i];
     const double further = follows_open(i) ? FamilyCell::further : 0.0;
-    const bool was_open = fate.time >= end(i) - further;
+    const bool was_open = outcome.time >= end(i) - further;
     late[r] += was_open;
-    const bool open = fate.outcome == Outcome::undecided;
-    const bool unlisted = fate.outcome == Outcome::attracted && fate.attractor == 0;
+    const bool open = outcome.kind == OutcomeKind::undecided;
+    const bool unlisted = outcome.kind == OutcomeKind::attracted && outcome.attractor == 0;
     if (!unlisted && !(open && !starts_.is_over(i) && !restless[r])) {
       settled[r] += was_open && !open;
       continue;
@@ -143,7 +143,7 @@ bool Session::Batch::meet(std::size_t i, MetMotions& met) const {
   const PilotRecord& record = (*records_)[i];
   if (!record.finished_window) return false;
   if (nearest_met(record.features, met.known, s_.system_.balls(), cell(i).search.rule.sameness)) return true;
-  const std::optional<UnlistedStart> start = followed(i, fates_[i].time, lasting_chaos);
+  const std::optional<UnlistedStart> start = followed(i, outcomes_[i].time, lasting_chaos);
   if (!start || !start->motion || !start->motion->stable) return false;
   if (start->motion->set_valued) return true;  // each ball held by dry friction stays in its own place
   met.motions.push_back(*start->motion);

@@ -35,7 +35,7 @@ std::vector<double> mean_speeds_from(BatchTask task, std::vector<double> states,
   for (std::size_t i = 0; i < own.size(); ++i) begins[i] = own[i].end;
   const std::vector<double> from = begins;
   task.take(states, rotors, begins);
-  std::vector<Fate> fates(count);
+  std::vector<Outcome> outcomes(count);
   for (int k = 0; k <= watched_parts; ++k) {
     const double weight = k == 0 || k == watched_parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
     for (std::size_t i = 0; i < count; ++i) mean[i] += weight / (3.0 * watched_parts) * states[i * size + place];
@@ -43,7 +43,7 @@ std::vector<double> mean_speeds_from(BatchTask task, std::vector<double> states,
     const double later = last_turns * (k + 1) / watched_parts;
     task.end = now + later;
     for (std::size_t i = 0; i < own.size(); ++i) own[i].end = from[i] + later;
-    if (!advance_batch(task, fates)) return {};
+    if (!advance_batch(task, outcomes)) return {};
     for (std::size_t i = 0; i < count; ++i) begins[i] = from[i] + later;
   }
   return mean;
@@ -113,13 +113,13 @@ std::vector<float> steady_radii(BatchTask task, std::vector<double> states, std:
     table.rows.resize(open.size());
     task.transients = &table;
     task.take(here, rotors, begins);
-    std::vector<Fate> fates(open.size());
-    if (!advance_batch(task, fates)) return {};
+    std::vector<Outcome> outcomes(open.size());
+    if (!advance_batch(task, outcomes)) return {};
     std::vector<Followed> still;
     for (std::size_t k = 0; k < open.size(); ++k) {
       Followed f = open[k];
       std::copy_n(&here[k * size], size, &states[f.place * size]);
-      if (fates[k].outcome == Outcome::diverged || fates[k].outcome == Outcome::failed) continue;
+      if (outcomes[k].kind == OutcomeKind::diverged || outcomes[k].kind == OutcomeKind::failed) continue;
       std::rotate(f.peaks.begin(), f.peaks.end() - 1, f.peaks.end());
       f.peaks[0] = std::sqrt(table.rows[k].free_peak.square);
       if (steady(f.peaks, window % of_a_length + 1))
@@ -146,9 +146,9 @@ bool Session::Batch::note_last_speeds() {
   std::vector<double> states;
   std::vector<OwnRotor> own;
   for (std::size_t i = 0; i < starts_.size(); ++i) {
-    Fate& fate = fates_[i];
-    if (fate.outcome != Outcome::undecided || starts_.is_over(i)) continue;
-    fate.mean_speed = static_cast<float>(state(i)[task.layout().speed]);
+    Outcome& outcome = outcomes_[i];
+    if (outcome.kind != OutcomeKind::undecided || starts_.is_over(i)) continue;
+    outcome.mean_speed = static_cast<float>(state(i)[task.layout().speed]);
     if (!is_left(i)) continue;
     places.push_back(i);
     states.insert(states.end(), state(i), state(i) + size);
@@ -156,7 +156,7 @@ bool Session::Batch::note_last_speeds() {
   }
   if (places.empty()) return true;
   const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon(), std::move(own));
-  for (std::size_t k = 0; k < speeds.size(); ++k) fates_[places[k]].mean_speed = static_cast<float>(speeds[k]);
+  for (std::size_t k = 0; k < speeds.size(); ++k) outcomes_[places[k]].mean_speed = static_cast<float>(speeds[k]);
   return !speeds.empty();
 }
 
@@ -169,19 +169,19 @@ bool Session::Batch::note_radii() {
   std::vector<double> states;
   std::vector<KnownTrajectory> known;
   for (std::size_t i = 0; i < starts_.size(); ++i) {
-    Fate& fate = fates_[i];
-    if (fate.outcome != Outcome::attracted || fate.attractor <= 0 || starts_.is_over(i)) continue;
-    if (s_.catalogue().find(fate.attractor)->motion.r_max < no_radius) {
-      fate.radius = 0.0f;
+    Outcome& outcome = outcomes_[i];
+    if (outcome.kind != OutcomeKind::attracted || outcome.attractor <= 0 || starts_.is_over(i)) continue;
+    if (s_.catalogue().find(outcome.attractor)->motion.r_max < no_radius) {
+      outcome.radius = 0.0f;
       continue;
     }
     places.push_back(i);
     states.insert(states.end(), state(i), state(i) + size);
-    known.push_back({starts_.rotors[i], fate.time, cell(i).search.rule.first_long_window});
+    known.push_back({starts_.rotors[i], outcome.time, cell(i).search.rule.first_long_window});
   }
   if (places.empty()) return true;
   const std::vector<float> radii = steady_radii(s_.source_->last_task(), std::move(states), std::move(known));
-  for (std::size_t k = 0; k < radii.size(); ++k) fates_[places[k]].radius = radii[k];
+  for (std::size_t k = 0; k < radii.size(); ++k) outcomes_[places[k]].radius = radii[k];
   return !radii.empty();
 }
 

@@ -160,18 +160,18 @@ int RunCatalogue::list(const UnlistedStart& start) {
   return start.name.name.empty() ? add(parameters_, *start.motion) : add(start.name, *start.motion);
 }
 
-int RunCatalogue::settle(const UnlistedStart& start, Fate& fate) {
+int RunCatalogue::settle(const UnlistedStart& start, Outcome& outcome) {
   const int attractor = list(start);
-  fate.attractor = static_cast<short>(attractor);
+  outcome.attractor = static_cast<short>(attractor);
   if (attractor == 0) {
-    fate.outcome = Outcome::undecided;
-    fate.by = DecidedBy::nothing;
+    outcome.kind = OutcomeKind::undecided;
+    outcome.by = DecidedBy::nothing;
   }
   return attractor;
 }
 
 void RunCatalogue::settle(Decided& decided) {
-  for (const UnlistedStart& start : decided.unlisted) settle(start, decided.fates[start.place]);
+  for (const UnlistedStart& start : decided.unlisted) settle(start, decided.outcomes[start.place]);
 }
 
 }  // namespace equipoise

@@ -43,8 +43,8 @@ struct BalanceNote {
 /// The outcomes of starts, in order.
 struct Decided {
   std::vector<double> phi;  ///< initial ball angles, `balls` a start; empty for given starts
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;   ///< Fate::attractor is 0 until RunCatalogue::settle()
+  std::vector<Outcome> outcomes;
+  std::vector<UnlistedStart> unlisted;   ///< Outcome::attractor is 0 until RunCatalogue::settle()
   std::vector<TransientRow> transients;  ///< of every start, if the session gathers them
 };
 
@@ -74,7 +74,7 @@ class Session {
   /// Spins up and searches for attractors. With uncertain values, the rotors that starts draw are the family. The study
   /// must have passed check_runnable(). Check stopped() afterwards. `transients`: gathers those of every start.
   Session(const Study& study, const AttractorSearchSettings& settings, bool transients = false);
-  /// For these starts of a family; also measures Fate::radius. `study` belongs to the family; outcomes are in its
+  /// For these starts of a family; also measures Outcome::radius. `study` belongs to the family; outcomes are in its
   /// units.
   Session(const Study& study, StudyFamily family, const FamilyStarts& starts, const AttractorSearchSettings& settings);
 
@@ -138,8 +138,8 @@ class RunCatalogue : public Catalogue {
 
   /// The identifier of the motion that an unlisted start came to, listed if need be; 0 if it is not stable.
   int list(const UnlistedStart& start);
-  /// Writes the motion that it reached into its Fate; without a steady one, the start is undecided.
-  int settle(const UnlistedStart& start, Fate& fate);
+  /// Writes the motion that it reached into its Outcome; without a steady one, the start is undecided.
+  int settle(const UnlistedStart& start, Outcome& outcome);
   /// The same for all, in order.
   void settle(Decided& decided);
 

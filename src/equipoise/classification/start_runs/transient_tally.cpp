@@ -46,35 +46,35 @@ TransientTally::TransientTally(const Study& study, const Sampler& sampler)
   for (std::size_t k = 0; k < standard_levels.size(); ++k) levels_[k] = standard_levels[k].level(study);
 }
 
-void TransientTally::add(const Fate& fate, const TransientRow& row) {
+void TransientTally::add(const Outcome& outcome, const TransientRow& row) {
   const double weight = sampler_.weight(seed_, total_++);
   if (first_.size() < most_paired_starts)
-    first_.push_back({fate.outcome == Outcome::undecided, weight, row.peak_radial, row.rms_velocity});
+    first_.push_back({outcome.kind == OutcomeKind::undecided, weight, row.peak_radial, row.rms_velocity});
   if (std::isnan(row.peak_radial)) {
     ++lost_;
     return;
   }
-  const bool attracted = fate.outcome == Outcome::attracted;
-  Line& line = lines_[{static_cast<int>(fate.outcome), attracted ? fate.attractor : 0}];
+  const bool attracted = outcome.kind == OutcomeKind::attracted;
+  Line& line = lines_[{static_cast<int>(outcome.kind), attracted ? outcome.attractor : 0}];
   ++line.count;
   line.weight += weight;
   line.weight_squared += weight * weight;
-  if (std::isfinite(fate.mean_speed)) {
-    line.speed += weight * std::fabs(fate.mean_speed);
+  if (std::isfinite(outcome.mean_speed)) {
+    line.speed += weight * std::fabs(outcome.mean_speed);
     line.speed_weight += weight;
   }
   for (std::size_t k = 0; k < transient_figures.size(); ++k)
     if (const float value = row.*transient_figures[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
   // Whether a start exceeds a limit for good is known once its motion is.
-  const bool known = fate.outcome != Outcome::undecided;
+  const bool known = outcome.kind != OutcomeKind::undecided;
   if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;
   if (known && settings_.watches_settling() && row.peak_radial_at_end > settings_.settled) ++line.never;
-  count_limits(fate, row, weight, line);
+  count_limits(outcome, row, weight, line);
 }
 
-void TransientTally::count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
-  const bool open = fate.outcome == Outcome::undecided;
-  const double speed = driven_ ? std::fabs(fate.mean_speed) : final_speed_;
+void TransientTally::count_limits(const Outcome& outcome, const TransientRow& row, double weight, Line& line) const {
+  const bool open = outcome.kind == OutcomeKind::undecided;
+  const double speed = driven_ ? std::fabs(outcome.mean_speed) : final_speed_;
   const LimitsOfStart of = limits_of_start(limits_, row, speed, frequency_);
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     const bool stays = !transient_limits[k].at_end && of.exceeded[k];  // of a peak
@@ -155,7 +155,7 @@ std::array<QuantileEstimate, reported_quantiles.size()> TransientTally::sure_end
   Distribution seen, quiet, loud;
   for (const auto& [key, line] : lines_) {
     seen.merge(line.figures[velocity]);
-    if (static_cast<Outcome>(key.first) != Outcome::undecided) {
+    if (static_cast<OutcomeKind>(key.first) != OutcomeKind::undecided) {
       quiet.merge(line.figures[velocity]);
       loud.merge(line.figures[velocity]);
       continue;
@@ -184,10 +184,10 @@ TransientResult TransientTally::result(const Catalogue& catalogue) const {
   result.groups.back().sure_end_velocity = sure_end_velocity();
   for (const auto& [key, line] : lines_) {
     TransientGroup one = group(line);
-    const auto outcome = static_cast<Outcome>(key.first);
+    const auto kind = static_cast<OutcomeKind>(key.first);
     const Attractor* a = key.second > 0 ? catalogue.find(key.second) : nullptr;
-    one.id = outcome == Outcome::attracted ? key.second : told_of(outcome).code;
-    one.name = a ? a->name : name_of(outcome);
+    one.id = kind == OutcomeKind::attracted ? key.second : told_of(kind).code;
+    one.name = a ? a->name : name_of(kind);
     result.groups.push_back(one);
   }
   return result;

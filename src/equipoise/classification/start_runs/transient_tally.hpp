@@ -26,14 +26,14 @@ TransientSettings transient_settings(const Study& drawn, const TransientSettings
 bool knows_energy(const Study& study);
 
 /// Converts what one rotor's start came to, and its figures if given, to the units of another rotor.
-void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row);
+void change_units(const model::Scales& from, const model::Scales& to, Outcome& outcome, TransientRow* row);
 
 /// Takes starts by index, from start 0 on.
 class TransientTally {
  public:
   TransientTally(const Study& study, const Sampler& sampler);
 
-  void add(const Fate& fate, const TransientRow& row);
+  void add(const Outcome& outcome, const TransientRow& row);
   TransientResult result(const Catalogue& catalogue) const;
 
  private:
@@ -75,7 +75,7 @@ class TransientTally {
   };
   TransientGroup group(const Line& line) const;
   std::array<QuantileEstimate, reported_quantiles.size()> sure_end_velocity() const;
-  void count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
+  void count_limits(const Outcome& outcome, const TransientRow& row, double weight, Line& line) const;
   bool kept(Within when) const;
   static Share share(const Line& line, const Having& having);
 

@@ -27,7 +27,7 @@ std::size_t chunk_of(const Trials& trials, const TrialSettings& settings) {
   return trials.alike && settings.threads == 1 ? trial_part : trial_chunk;
 }
 
-// Calls told(first, fates) for every chunk, from any thread, until it returns false or lanes are stopped.
+// Calls told(first, outcomes) for every chunk, from any thread, until it returns false or lanes are stopped.
 template <class Told>
 bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
@@ -52,14 +52,14 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     if (!own.empty()) task.own = own.data();
-    std::vector<Fate> fates(task.count);
-    if (!classify_batch(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
+    std::vector<Outcome> outcomes(task.count);
+    if (!classify_batch(task, trials.rule, outcomes, nullptr) || !told(first, outcomes)) good = false;
     if (settings.progress) settings.progress->add(task.count);
   });
   return good;
 }
 
-bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted; }
+bool is_attracted(const Outcome& outcome) { return outcome.kind == OutcomeKind::attracted; }
 
 }  // namespace
 
@@ -75,8 +75,8 @@ ClassificationRule rule_of_regions(const model::System& system) {
 
 bool all_attracted(Trials trials, const TrialSettings& settings) {
   return noted(settings.notes, "all attracted", settings.stop, [&] {
-    return follow(trials, settings, [](std::size_t, const std::vector<Fate>& fates) {
-      return std::all_of(fates.begin(), fates.end(), is_attracted);
+    return follow(trials, settings, [](std::size_t, const std::vector<Outcome>& outcomes) {
+      return std::all_of(outcomes.begin(), outcomes.end(), is_attracted);
     });
   });
 }
@@ -295,9 +295,10 @@ std::vector<char> come_to_balance(std::vector<double> states, const Classificati
       settings.notes, "come to", settings.stop,
       [&] {
         std::vector<char> came(trials.states.size() / settings.system->dimension());
-        follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
-          std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
-                         [](const Fate& fate) { return is_attracted(fate) && fate.attractor == balanced_id; });
+        follow(trials, settings, [&](std::size_t first, const std::vector<Outcome>& outcomes) {
+          std::transform(
+              outcomes.begin(), outcomes.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
+              [](const Outcome& outcome) { return is_attracted(outcome) && outcome.attractor == balanced_id; });
           return true;
         });
         return came;

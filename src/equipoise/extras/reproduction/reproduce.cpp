@@ -23,7 +23,9 @@ namespace equipoise {
 
 namespace {
 
-bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
+bool is_balanced(const Outcome& outcome) {
+  return outcome.kind == OutcomeKind::attracted && outcome.attractor == balanced_id;
+}
 
 // Factor on the starts of a row whose cell differs.
 constexpr std::uint64_t follow_up_factor = 5;
@@ -130,8 +132,9 @@ class TableRun {
          : line.id == diverged_code ? result.diverged
                                     : result.failed) = line.share;
     }
-    for_each_stored(file, 0, result.starts,
-                    [&](const Fate& fate, const TransientRow*) { result.balanced.push_back(is_balanced(fate)); });
+    for_each_stored(file, 0, result.starts, [&](const Outcome& outcome, const TransientRow*) {
+      result.balanced.push_back(is_balanced(outcome));
+    });
     return true;
   }
 
@@ -143,7 +146,7 @@ class TableRun {
     options.store_angles = false;
     options.stop = options_.stop;
     options.searches = &searches_;
-    options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
+    options.outcome = [&](const Outcome& outcome) { result.balanced.push_back(is_balanced(outcome)); };
     options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
     static_cast<BasinResult&>(result) = basin(study, options);
     if (path.empty()) return result;

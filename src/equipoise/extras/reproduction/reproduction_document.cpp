@@ -121,7 +121,7 @@ void verdicts(const Reproduction& r, Document& d) {
   d.add(std::move(table));
 }
 
-std::string fate_of(const ConclusionRow& row) {
+std::string outcome_of(const ConclusionRow& row) {
   if (row.published.answer == Answer::not_asked || row.kinematic.answer == Answer::not_asked) return "one law only";
   if (row.published.answer == Answer::holds)
     return row.kinematic.answer == Answer::holds          ? "survives"
@@ -140,7 +140,7 @@ void laws(const Reproduction& r, Document& d) {
                           {std::to_string(row.conclusion->table)},
                           {answer_text(row.published), tone_of(row.published.answer)},
                           {answer_text(row.kinematic), tone_of(row.kinematic.answer)},
-                          {fate_of(row)}});
+                          {outcome_of(row)}});
   }
   if (table.rows.empty()) return;
   table.caption =

@@ -148,7 +148,7 @@ std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
     };
     for (const SweepOutcome& o : cell.outcomes)
       if (o.share.count > 0 || o.id == balanced_id) add(o.id, legend_of(o), o.id, o.share.share);
-    for (const auto& [outcome, order] : {std::pair{Outcome::stalled, last}, {Outcome::undecided, last + 1}}) {
+    for (const auto& [outcome, order] : {std::pair{OutcomeKind::stalled, last}, {OutcomeKind::undecided, last + 1}}) {
       const NoAttractor& n = told_of(outcome);
       if (const Share* s = cell.of(n.code); s && s->count > 0) add(order, n.name, n.code, s->share);
     }

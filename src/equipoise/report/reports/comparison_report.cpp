@@ -87,7 +87,7 @@ Document document_of(const ComparisonResult& r) {
   if (r.changed && r.starts > 0) {
     document.add(Paragraph{fmt::format("{} of {} common starts end differently: {} ({})", r.changed->count, r.starts,
                                        percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed))});
-    for (const ChangedFate& c : r.changes)
+    for (const ChangedOutcome& c : r.changes)
       document.add(Paragraph{fmt::format("{:>10}  from {} to {}", c.starts, c.from, c.to)});
   } else if (!r.common) {
     document.add(Paragraph{fmt::format("Compared as independent samples: {}.", r.why_not_common)});
@@ -114,8 +114,9 @@ std::string json_text(const ComparisonResult& r) {
                   std::array{f.first_open, f.second_open});
   });
   put(json, "common", r.common, "starts", r.starts, "changed", r.changed ? Json(r.changed->count) : Json(),
-      "changed_share", r.changed, "changes",
-      list_of(r.changes, [](const ChangedFate& c) { return object("from", c.from, "to", c.to, "starts", c.starts); }));
+      "changed_share", r.changed, "changes", list_of(r.changes, [](const ChangedOutcome& c) {
+        return object("from", c.from, "to", c.to, "starts", c.starts);
+      }));
   json["balanced_surely"] = object("low", r.surely_low, "high", r.surely_high);
   if (r.limits) {
     json["limits"] = r.limits->difference;

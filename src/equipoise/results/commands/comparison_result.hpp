@@ -29,7 +29,7 @@ struct ComparedLimits {
 };
 
 /// Common starts that ended as `from` in the first study and as `to` in the second.
-struct ChangedFate {
+struct ChangedOutcome {
   std::string from, to;
   std::uint64_t starts = 0;
 };
@@ -51,7 +51,7 @@ struct ComparisonResult {
   std::vector<ComparedShare>
       shares;                    ///< in the first study's order, then the second's own, outcomes without attractor last
   std::optional<Share> changed;  ///< of common starts, those with another outcome
-  std::vector<ChangedFate> changes;     ///< the most frequent first
+  std::vector<ChangedOutcome> changes;  ///< the most frequent first
   std::optional<std::size_t> balanced;  ///< index of balance in `shares`
   /// For its difference: bounds at 95 % whatever undecided starts would come to.
   double surely_low = -1.0, surely_high = 1.0;

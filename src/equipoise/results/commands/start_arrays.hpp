@@ -44,16 +44,16 @@ struct StartArrays {
 };
 
 /// What became of a start; empty if its numbers are those of no outcome.
-inline std::optional<Fate> fate_of(const StartArrays& starts, std::size_t i) {
-  std::optional<Fate> fate = fate_of(starts.outcome[i]);
+inline std::optional<Outcome> outcome_of(const StartArrays& starts, std::size_t i) {
+  std::optional<Outcome> outcome = outcome_of(starts.outcome[i]);
   const signed char by = starts.decided_by[i];
-  if (!fate || by < 0 || by >= decided_by_count) return std::nullopt;
-  fate->by = static_cast<DecidedBy>(by);
-  fate->time = starts.decision_time[i];
-  if (!starts.mean_speed.empty()) fate->mean_speed = starts.mean_speed[i];
-  if (!starts.left_unbalance.empty()) fate->unbalance = starts.left_unbalance[i];
-  if (!starts.balls_met.empty()) fate->met = starts.balls_met[i] != 0;
-  return fate;
+  if (!outcome || by < 0 || by >= decided_by_count) return std::nullopt;
+  outcome->by = static_cast<DecidedBy>(by);
+  outcome->time = starts.decision_time[i];
+  if (!starts.mean_speed.empty()) outcome->mean_speed = starts.mean_speed[i];
+  if (!starts.left_unbalance.empty()) outcome->unbalance = starts.left_unbalance[i];
+  if (!starts.balls_met.empty()) outcome->met = starts.balls_met[i] != 0;
+  return outcome;
 }
 
 /// Its figures; not-a-number if they were not gathered.

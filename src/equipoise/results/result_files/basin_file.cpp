@@ -136,7 +136,7 @@ StartArrays BasinFile::read(std::uint64_t first, std::size_t count) const {
     columns_[k].take(values, starts);
   }
   for (std::size_t i = 0; i < count; ++i)
-    if (!fate_of(starts, i))
+    if (!outcome_of(starts, i))
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", path(), first + i));
   return starts;
 }

@@ -80,7 +80,7 @@ class BasinFile : public io::RowStore {
   std::uint64_t unfinished() const { return stored_ - finished(); }
   /// The CPU targets that they were computed on.
   const std::vector<std::string>& cpu_targets() const { return cpu_targets_; }
-  /// Starts first .. first + count - 1, each with a Fate (fate_of()).
+  /// Starts first .. first + count - 1, each with an Outcome (outcome_of()).
   StartArrays read(std::uint64_t first, std::size_t count) const;
   /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
   /// ones.

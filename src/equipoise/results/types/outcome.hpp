@@ -10,8 +10,8 @@
 namespace equipoise {
 
 /// Outcomes of a start.
-enum class Outcome : signed char {
-  attracted = 0,  ///< ended in an attractor; Fate::attractor says which
+enum class OutcomeKind : signed char {
+  attracted = 0,  ///< ended in an attractor; Outcome::attractor says which
   undecided = 1,  ///< reached none by the horizon
   diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
   failed = 3,     ///< the integrator's step size vanished
@@ -40,28 +40,28 @@ inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2,
 
 /// An outcome of starts that end in no attractor.
 struct NoAttractor {
-  Outcome outcome;
+  OutcomeKind kind;
   short code;        ///< in files and arrays, where an attractor has its identifier
   const char* name;  ///< its one word
 };
 inline constexpr std::array<NoAttractor, 4> no_attractors{{
-    {Outcome::undecided, undecided_code, "undecided"},
-    {Outcome::diverged, diverged_code, "diverged"},
-    {Outcome::failed, failed_code, "failed"},
-    {Outcome::stalled, stalled_code, "stalled"},
+    {OutcomeKind::undecided, undecided_code, "undecided"},
+    {OutcomeKind::diverged, diverged_code, "diverged"},
+    {OutcomeKind::failed, failed_code, "failed"},
+    {OutcomeKind::stalled, stalled_code, "stalled"},
 }};
-constexpr const NoAttractor& told_of(Outcome outcome) {
+constexpr const NoAttractor& told_of(OutcomeKind kind) {
   for (const NoAttractor& n : no_attractors)
-    if (n.outcome == outcome) return n;
+    if (n.kind == kind) return n;
   return no_attractors[2];
 }
 /// The word in results and files.
-constexpr const char* name_of(Outcome outcome) {
-  return outcome == Outcome::attracted ? "attracted" : told_of(outcome).name;
+constexpr const char* name_of(OutcomeKind kind) {
+  return kind == OutcomeKind::attracted ? "attracted" : told_of(kind).name;
 }
 
-struct Fate {
-  Outcome outcome = Outcome::undecided;
+struct Outcome {
+  OutcomeKind kind = OutcomeKind::undecided;
   DecidedBy by = DecidedBy::nothing;
   /// Identifier in the catalogue, from 1; 0: none, or a stationary motion that the rule does not list. Below 0: one of
   /// OwnRotor::met, until it is listed.
@@ -80,20 +80,20 @@ struct Fate {
 };
 
 /// The attractor's identifier, or the code of another outcome.
-inline short code_of(const Fate& fate) {
-  return fate.outcome == Outcome::attracted ? fate.attractor : told_of(fate.outcome).code;
+inline short code_of(const Outcome& outcome) {
+  return outcome.kind == OutcomeKind::attracted ? outcome.attractor : told_of(outcome.kind).code;
 }
-/// A Fate with this code; empty if no outcome has it.
-inline std::optional<Fate> fate_of(short code) {
-  Fate fate;
+/// A Outcome with this code; empty if no outcome has it.
+inline std::optional<Outcome> outcome_of(short code) {
+  Outcome outcome;
   if (code > 0) {
-    fate.outcome = Outcome::attracted;
-    fate.attractor = code;
-    return fate;
+    outcome.kind = OutcomeKind::attracted;
+    outcome.attractor = code;
+    return outcome;
   }
   for (const NoAttractor& n : no_attractors) {
-    fate.outcome = n.outcome;
-    if (n.code == code) return fate;
+    outcome.kind = n.kind;
+    if (n.code == code) return outcome;
   }
   return std::nullopt;
 }

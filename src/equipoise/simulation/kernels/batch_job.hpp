@@ -12,7 +12,7 @@ namespace equipoise {
 
 struct BatchJob {
   const BatchTask& task;
-  std::vector<Fate>& fates;
+  std::vector<Outcome>& outcomes;
   const ClassificationRule* rule = nullptr;   ///< null: trajectories are taken to the task's end
   std::vector<PilotRecord>* pilot = nullptr;  ///< optional, with a rule
 };

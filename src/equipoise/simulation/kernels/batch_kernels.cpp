@@ -88,24 +88,24 @@ bool run_kind(const BatchJob& job) {
   }
 }
 
-// Carries Fate::met over from one piece of the drive to the next: a contact, once made, counts.
+// Carries Outcome::met over from one piece of the drive to the next: a contact, once made, counts.
 bool run_batch(const BatchJob& job) {
   if (!job.task.parameters->balls_collide() || job.task.held) return run_kind(job);
   std::vector<char> met(job.task.count);
-  for (std::size_t i = 0; i < met.size(); ++i) met[i] = job.fates[i].met;
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] = job.outcomes[i].met;
   BatchTask task = job.task;
   task.met = met.data();
-  const bool done = run_kind({task, job.fates, job.rule, job.pilot});
-  for (std::size_t i = 0; i < met.size(); ++i) job.fates[i].met = met[i] != 0;
+  const bool done = run_kind({task, job.outcomes, job.rule, job.pilot});
+  for (std::size_t i = 0; i < met.size(); ++i) job.outcomes[i].met = met[i] != 0;
   return done;
 }
 }  // namespace
 
-bool advance_batch(const BatchTask& task, std::vector<Fate>& fates) { return run_batch({task, fates}); }
+bool advance_batch(const BatchTask& task, std::vector<Outcome>& outcomes) { return run_batch({task, outcomes}); }
 
-bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
+bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Outcome>& outcomes,
                     std::vector<PilotRecord>* pilot) {
-  return run_batch({task, fates, &rule, pilot});
+  return run_batch({task, outcomes, &rule, pilot});
 }
 
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {

@@ -13,13 +13,13 @@
 namespace equipoise {
 
 /// Takes every trajectory to task.end. False if stopped early.
-/// `fates[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
+/// `outcomes[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
 /// state stays where it was lost.
-bool advance_batch(const BatchTask& task, std::vector<Fate>& fates);
+bool advance_batch(const BatchTask& task, std::vector<Outcome>& outcomes);
 
-/// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`,
-/// if given, receives one record per trajectory. False if stopped early.
-bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
+/// Decides every trajectory of a task over the last segment, or piece of a drive; outcomes[i] and states are set.
+/// `pilot`, if given, receives one record per trajectory. False if stopped early.
+bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Outcome>& outcomes,
                     std::vector<PilotRecord>* pilot);
 
 /// Follows driven rotors whose balls are held (task.held) until they reach the release speed, are steady without

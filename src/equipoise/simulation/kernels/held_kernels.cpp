@@ -35,8 +35,8 @@ class ClampedBalls {
         sign_(rule.rising ? 1.0 : -1.0),
         rule_(rule),
         release_(sign_ * rule.release_speed),
-        fates_(task.count),
-        windows_(task, rule.windows, fates_, nullptr),
+        outcomes_(task.count),
+        windows_(task, rule.windows, outcomes_, nullptr),
         watch_(watch),
         ends_(ends) {}
 
@@ -78,12 +78,12 @@ class ClampedBalls {
     if (watch_) watch_->end(slot, start, how, element(before_t_, slot));
     if (how != BatchEnd::decided || !(crossing_ & (1u << slot))) {
       windows_.end(slot, start, how, t, z);
-      result.fate = fates_[start];
+      result.outcome = outcomes_[start];
       return;
     }
     result.crossing = true;
     result.crossed_by = t;
-    result.fate.time = element(before_t_, slot);
+    result.outcome.time = element(before_t_, slot);
     double* row = task_.states + start * static_cast<std::size_t>(size_);
     for (int i = 0; i < size_; ++i) row[i] = element(before_[i], slot);
   }
@@ -98,8 +98,8 @@ class ClampedBalls {
   const double sign_;
   const ReleaseRule& rule_;
   Pack release_;
-  std::vector<Fate> fates_;
-  ClassifyFate<1, 1, BatchKind::smooth> windows_;
+  std::vector<Outcome> outcomes_;
+  ClassifyOutcome<1, 1, BatchKind::smooth> windows_;
   BatchWatch* const watch_;
   std::vector<ClampedEnd>& ends_;
   static constexpr int largest_held_state = model::dimension(1) + 3;
@@ -120,8 +120,8 @@ bool follow_clamped(const BatchTask& task, const ReleaseRule& rule, std::vector<
 }
 
 bool advance_held(const BatchJob& job) {
-  WatchForLoss fates(job.fates);
-  return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
+  WatchForLoss outcomes(job.outcomes);
+  return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), outcomes, held_rotors);
 }
 
 }  // namespace HWY_NAMESPACE

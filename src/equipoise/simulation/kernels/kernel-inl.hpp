@@ -33,37 +33,37 @@ inline constexpr int batch_groups = room <= 2 && pack_lanes == 8 && kind < Batch
 // Records trajectories lost on the way.
 class WatchForLoss : public NoObserver {
  public:
-  explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
+  explicit WatchForLoss(std::vector<Outcome>& outcomes) : outcomes_(outcomes) {}
   void end(int, std::size_t start, BatchEnd how, double t, const double*) {
-    if (how == BatchEnd::diverged) fates_[start] = {Outcome::diverged, DecidedBy::nothing, 0, t};
-    if (how == BatchEnd::failed) fates_[start] = {Outcome::failed, DecidedBy::nothing, 0, t};
+    if (how == BatchEnd::diverged) outcomes_[start] = {OutcomeKind::diverged, DecidedBy::nothing, 0, t};
+    if (how == BatchEnd::failed) outcomes_[start] = {OutcomeKind::failed, DecidedBy::nothing, 0, t};
   }
 
  private:
-  std::vector<Fate>& fates_;
+  std::vector<Outcome>& outcomes_;
 };
 
 // An observer of lanes that combines one that decides outcomes with an optional watch. A decided trajectory goes on
 // until the watch has seen its final motion.
 //
-// `Fates` says by attractor_of(slot) what it has just decided; without that function it never decides. It sees nothing
-// of a lane after its decision, so a watch changes no outcome. `watch` may be null, as for most tasks; HWY_UNLIKELY
-// keeps registers for those.
-template <class Fates, int groups>
+// `Outcomes` says by attractor_of(slot) what it has just decided; without that function it never decides. It sees
+// nothing of a lane after its decision, so a watch changes no outcome. `watch` may be null, as for most tasks;
+// HWY_UNLIKELY keeps registers for those.
+template <class Outcomes, int groups>
 class FollowOn {
  public:
   static_assert(groups <= most_batch_groups);
 
-  FollowOn(Fates& fates, BatchWatch* watch, int size) : fates_(fates), watch_(watch), size_(size) {}
+  FollowOn(Outcomes& outcomes, BatchWatch* watch, int size) : outcomes_(outcomes), watch_(watch), size_(size) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
-    fates_.begin(slot, start, t, z);
+    outcomes_.begin(slot, start, t, z);
     decided_[slot / lanes] &= ~bit(slot);
     if (watch_) watch_->begin(slot, start, t, z);
   }
 
   HWY_INLINE void stage(int row, int g, const Pack* z) {
-    fates_.stage(row, g, z);
+    outcomes_.stage(row, g, z);
     if (row == first_sampled_stage && HWY_UNLIKELY(watch_)) sample(first_[g], z);
     if (row == second_sampled_stage && HWY_UNLIKELY(watch_)) sample(second_[g], z);
   }
@@ -71,7 +71,7 @@ class FollowOn {
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
     unsigned full = 0;
     if (HWY_UNLIKELY(watch_)) full = watch_->step({g, active, accepted, t, h, z, first_[g], second_[g]});
-    const unsigned fresh = fates_.step(g, active & ~decided_[g], accepted, t, h, z);
+    const unsigned fresh = outcomes_.step(g, active & ~decided_[g], accepted, t, h, z);
     return HWY_UNLIKELY(watch_) ? leaving(g, full & decided_[g], fresh, t) : fresh;
   }
 
@@ -82,9 +82,9 @@ class FollowOn {
   void end(int slot, std::size_t start, BatchEnd how, double t, const double* z) {
     if (watch_) watch_->end(slot, start, how, t);
     if (decided_[slot / lanes] & bit(slot))
-      fates_.end(slot, start, BatchEnd::decided, decided_at_[slot], z);
+      outcomes_.end(slot, start, BatchEnd::decided, decided_at_[slot], z);
     else
-      fates_.end(slot, start, how, t, z);
+      outcomes_.end(slot, start, how, t, z);
   }
 
  private:
@@ -98,7 +98,7 @@ class FollowOn {
   // Notes the `fresh` decisions. Returns the earlier decided lanes that may leave, of those whose window has just ended
   // (`full`).
   HWY_INLINE unsigned leaving(int g, unsigned full, unsigned fresh, Pack t) {
-    if constexpr (requires(Fates f) { f.attractor_of(0); }) {
+    if constexpr (requires(Outcomes f) { f.attractor_of(0); }) {
       if (fresh) note(g, fresh, t);
       if (full) return seen(g, full);
     }
@@ -112,7 +112,7 @@ class FollowOn {
       if (!(fresh & (1u << lane))) continue;
       const int slot = g * lanes + lane;
       decided_at_[slot] = times[lane];
-      attractor_[slot] = fates_.attractor_of(slot);
+      attractor_[slot] = outcomes_.attractor_of(slot);
       watch_->restart(slot, times[lane]);
     }
     decided_[g] |= fresh;
@@ -127,7 +127,7 @@ class FollowOn {
     return result;
   }
 
-  Fates& fates_;
+  Outcomes& outcomes_;
   BatchWatch* const watch_;
   const int size_;                 // of a state
   unsigned decided_[groups] = {};  // bits of lanes followed on
@@ -142,10 +142,10 @@ bool run_block(const BatchTask& task, const Flow& flow, Observer& observer, cons
   return block->run();
 }
 
-template <class Flow, int groups, class Fates, class Rotors>
-bool run_watched(const BatchTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
+template <class Flow, int groups, class Outcomes, class Rotors>
+bool run_watched(const BatchTask& task, const Flow& flow, Outcomes& outcomes, const Rotors& rotors) {
   const auto watch = watch_of(task);
-  const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
+  const auto observer = std::make_unique<FollowOn<Outcomes, groups>>(outcomes, watch.get(), flow.size());
   return run_block<Flow, groups>(task, flow, *observer, rotors);
 }
 
@@ -181,11 +181,12 @@ auto own_rotors() {
 
 template <int room, BatchKind kind>
 bool classify_balls(const BatchJob& job) {
-  using Fates = ClassifyFate<room, batch_groups<room, kind>, kind>;
-  const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
+  using Outcomes = ClassifyOutcome<room, batch_groups<room, kind>, kind>;
+  const auto outcomes = std::make_unique<Outcomes>(job.task, *job.rule, job.outcomes, job.pilot);
   const auto flow = flow_of<room, kind, false>(job.task);
   const auto run = [&](const auto& rotors) {
-    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *fates, rotors);
+    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *outcomes,
+                                                                                      rotors);
   };
   if constexpr (kind < BatchKind::smooth)
     if (!job.task.own) return run(OneRotor{});
@@ -198,13 +199,13 @@ template <int room, BatchKind kind>
 bool advance_balls(const BatchJob& job) {
   constexpr int groups = batch_groups<room, kind>;
   const auto run = [&]<bool acceleration, bool watched>(const auto& rotors) {
-    WatchForLoss fates(job.fates);
+    WatchForLoss outcomes(job.outcomes);
     const auto flow = flow_of<room, kind, acceleration>(job.task);
     using Flow = std::remove_const_t<decltype(flow)>;
     if constexpr (watched)
-      return run_watched<Flow, groups>(job.task, flow, fates, rotors);
+      return run_watched<Flow, groups>(job.task, flow, outcomes, rotors);
     else
-      return run_block<Flow, groups>(job.task, flow, fates, rotors);
+      return run_block<Flow, groups>(job.task, flow, outcomes, rotors);
   };
   if constexpr (kind == BatchKind::plain) {
     if (!job.task.own && !job.task.watched())

@@ -177,9 +177,9 @@ struct ReleaseRule {
 
 struct ClampedEnd {
   /// Attracted if steady; undecided at the task's end, or earlier if the rotor runs away.
-  Fate fate;
-  /// Whether it reached release_speed, or seemed to, in the step from `fate.time` to `crossed_by`. Its state is that at
-  /// `fate.time`.
+  Outcome outcome;
+  /// Whether it reached release_speed, or seemed to, in the step from `outcome.time` to `crossed_by`. Its state is that
+  /// at `outcome.time`.
   bool crossing = false;
   double crossed_by = 0.0;
   double nearest = 0.0;  ///< the speed that came nearest to release_speed

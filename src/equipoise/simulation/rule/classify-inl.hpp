@@ -31,15 +31,15 @@ namespace HWY_NAMESPACE {
 // Except for plain rotors the rotor's angle is known, r is measured from the sag, and ClassificationRule::section is
 // tested if set. Plain rotors pay for none of this.
 template <int room, int groups, BatchKind kind = BatchKind::plain>
-class ClassifyFate {
+class ClassifyOutcome {
  public:
   static constexpr bool angle_known = kind != BatchKind::plain, smooth = kind >= BatchKind::smooth,
                         tilts = kind == BatchKind::tilting;
   static constexpr int dimension = model::dimension(room) + (tilts ? 7 : smooth ? 3 : 0);  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
-  ClassifyFate(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
-               std::vector<PilotRecord>* pilot)
+  ClassifyOutcome(const BatchTask& task, const ClassificationRule& rule, std::vector<Outcome>& outcomes,
+                  std::vector<PilotRecord>* pilot)
       : n(task.held ? 1 : task.parameters->balls),
         rule_(rule),
         task_(task),
@@ -47,7 +47,7 @@ class ClassifyFate {
         psi_place_(task.layout().psi),
         speed_place_(task.layout().speed),
         samples_(task, rule),
-        fates_(fates),
+        outcomes_(outcomes),
         pilot_(pilot),
         trackers_(groups * lanes),
         continuum_reach_(groups * lanes),
@@ -83,20 +83,20 @@ class ClassifyFate {
   int attractor_of(int slot) const { return verdict_[slot].attractor; }
 
   void end(int slot, std::size_t start, BatchEnd how, double t, const double* z) {
-    Fate& fate = fates_[start];
-    fate = {how == BatchEnd::decided    ? Outcome::attracted
-            : how == BatchEnd::diverged ? Outcome::diverged
-            : how == BatchEnd::failed   ? Outcome::failed
-                                        : Outcome::undecided,
-            DecidedBy::nothing, 0, t};
+    Outcome& outcome = outcomes_[start];
+    outcome = {how == BatchEnd::decided    ? OutcomeKind::attracted
+               : how == BatchEnd::diverged ? OutcomeKind::diverged
+               : how == BatchEnd::failed   ? OutcomeKind::failed
+                                           : OutcomeKind::undecided,
+               DecidedBy::nothing, 0, t};
     Verdict verdict = verdict_[slot];
     if constexpr (smooth) {
-      if (speed_place_ >= 0) fate.mean_speed = static_cast<float>(trackers_[slot].mean_speed());
-      if (verdict.runs_away) fate.outcome = Outcome::undecided;
+      if (speed_place_ >= 0) outcome.mean_speed = static_cast<float>(trackers_[slot].mean_speed());
+      if (verdict.runs_away) outcome.kind = OutcomeKind::undecided;
     }
     if (how == BatchEnd::reached_end && !rule_.at_horizon && !pilot_)
       if (const int attractor = trackers_[slot].settled_at_end()) {
-        fate.outcome = Outcome::attracted;
+        outcome.kind = OutcomeKind::attracted;
         verdict = {DecidedBy::windows, attractor};
       }
     if (how == BatchEnd::reached_end && rule_.at_horizon) {
@@ -107,13 +107,13 @@ class ClassifyFate {
           verdict.attractor = rule_.section.regions->ask(z, angle(slot, t, z), own(slot)).attractor;
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
-        fate.outcome = Outcome::attracted;
+        outcome.kind = OutcomeKind::attracted;
         verdict.by = DecidedBy::horizon;
       }
     }
-    if (fate.outcome == Outcome::attracted) {
-      fate.attractor = static_cast<short>(verdict.attractor);
-      fate.by = verdict.by;
+    if (outcome.kind == OutcomeKind::attracted) {
+      outcome.attractor = static_cast<short>(verdict.attractor);
+      outcome.by = verdict.by;
     }
     if (pilot_) {
       (*pilot_)[start] = trackers_[slot].record();
@@ -306,7 +306,7 @@ class ClassifyFate {
   const BatchTask& task_;
   const int size_, psi_place_, speed_place_;
   WindowSamples<room, groups, kind> samples_;
-  std::vector<Fate>& fates_;
+  std::vector<Outcome>& outcomes_;
   std::vector<PilotRecord>* pilot_;
   Pack least_value_[groups];
   // Of each lane's rotor.

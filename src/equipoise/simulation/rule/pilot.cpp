@@ -69,18 +69,18 @@ FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double 
   return box;
 }
 
-int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
+int hits_from_audit(const std::vector<Outcome>& outcomes, const std::vector<PilotRecord>& records, std::size_t b,
                     int attractor, bool undecided_is_own) {
   const auto own = [&](std::size_t i) {
-    return fates[i].attractor == attractor || (fates[i].attractor == 0 && undecided_is_own);
+    return outcomes[i].attractor == attractor || (outcomes[i].attractor == 0 && undecided_is_own);
   };
   int longest = 0;
-  for (std::size_t i = 0; i < fates.size(); ++i)
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
     if (!own(i)) longest = std::max(longest, records[i].longest_run[b]);
   const int hits = std::max(fewest_hits, 2 * longest + 1);
   if (hits > most_hits) return 0;
   int rightly = 0;
-  for (std::size_t i = 0; i < fates.size(); ++i) rightly += own(i) && records[i].longest_run[b] >= hits;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) rightly += own(i) && records[i].longest_run[b] >= hits;
   return rightly >= least_evidence ? hits : 0;
 }
 

@@ -10,13 +10,13 @@
 
 namespace equipoise {
 
-constexpr Outcome last_of(Outcome) { return Outcome::stalled; }
+constexpr OutcomeKind last_of(OutcomeKind) { return OutcomeKind::stalled; }
 constexpr DecidedBy last_of(DecidedBy) { return DecidedBy::followed; }
 
-/// The members of a Fate and of a record, for search logs and messages.
-template <class Bytes, Like<Fate> T>
+/// The members of an Outcome and of a record, for search logs and messages.
+template <class Bytes, Like<Outcome> T>
 void members(Bytes& b, T& f) {
-  b(f.outcome, f.by, f.attractor, f.time, f.mean_speed, f.unbalance, f.radius, f.met);
+  b(f.kind, f.by, f.attractor, f.time, f.mean_speed, f.unbalance, f.radius, f.met);
 }
 template <class Bytes, Like<PilotRecord> T>
 void members(Bytes& b, T& r) {
@@ -42,10 +42,10 @@ std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, 
 FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths);
 
 /// How many windows in a row inside box `b` decide: more than twice the longest run of any audited trajectory that went
-/// elsewhere, and at least three. `fates` and `records` come from the audit, run with the rule's boxes and `blind`. 0
-/// if that is too many to be of use, or if fewer than a hundred trajectories stayed that long and ended in `attractor`,
-/// which proves little.
-int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
+/// elsewhere, and at least three. `outcomes` and `records` come from the audit, run with the rule's boxes and `blind`.
+/// 0 if that is too many to be of use, or if fewer than a hundred trajectories stayed that long and ended in
+/// `attractor`, which proves little.
+int hits_from_audit(const std::vector<Outcome>& outcomes, const std::vector<PilotRecord>& records, std::size_t b,
                     int attractor, bool undecided_is_own);
 
 }  // namespace equipoise

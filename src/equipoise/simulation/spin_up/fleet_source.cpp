@@ -179,7 +179,7 @@ class FleetSource final : public SpinUp {
     starts.states.clear();
     for (std::size_t i = 0; i < count; ++i) add(of(i), start_at(i), starts);
     starts.begins.assign(count, 0.0);
-    starts.fates.assign(count, Fate{});
+    starts.outcomes.assign(count, Outcome{});
     if (transients) transients->rows.assign(count, TransientSums{});
     if (of(0).prescribed()) return;
     starts.released.assign(count, 0.0);
@@ -200,7 +200,7 @@ class FleetSource final : public SpinUp {
       SpunUp one;
       if (!source.follow({&given[i].start, 1}, one, transients ? &table : nullptr)) return false;
       std::copy(one.states.begin(), one.states.end(), &starts.states[i * one.states.size()]);
-      starts.fates[i] = one.fates.front();
+      starts.outcomes[i] = one.outcomes.front();
       starts.begins[i] = of(i).settled();
       if (transients) transients->rows[i] = table.rows.front();
     }
@@ -294,10 +294,10 @@ class FleetSource final : public SpinUp {
 
   // Takes these starts to the end of piece k, where those that are not lost arrive.
   bool finish_piece(std::size_t k, bool held, const std::vector<std::size_t>& places, const Fleet& fleet) const {
-    std::vector<Fate> fates(places.size());
-    for (std::size_t j = 0; j < places.size(); ++j) fates[j].met = fleet.starts.fates[places[j]].met;
+    std::vector<Outcome> outcomes(places.size());
+    for (std::size_t j = 0; j < places.size(); ++j) outcomes[j].met = fleet.starts.outcomes[places[j]].met;
     return side_by_side(
-        k, held, places, fleet, [&](BatchTask& task) { return advance_batch(task, fates); },
+        k, held, places, fleet, [&](BatchTask& task) { return advance_batch(task, outcomes); },
         [&](std::size_t j, const double* state) {
           const std::size_t i = places[j];
           if (held)
@@ -305,7 +305,7 @@ class FleetSource final : public SpinUp {
           else
             std::copy_n(state, of(i).systems[k].dimension(), fleet.state(i));
           fleet.starts.begins[i] = of(i).drive.pieces[k].end;
-          fleet.starts.fates[i] = fates[j];
+          fleet.starts.outcomes[i] = outcomes[j];
         });
   }
 
@@ -337,7 +337,7 @@ class FleetSource final : public SpinUp {
     SpunUp& starts = fleet.starts;
     const Machine& m = of(i);
     const ReleaseRule& rule = m.release_rule;
-    double now = end.fate.time;
+    double now = end.outcome.time;
     if (end.crossing) {
       const auto release = find_release(m.systems[k], rule.release_speed, rule.rising, now, end.crossed_by, state);
       now = release.value_or(end.crossed_by);
@@ -347,21 +347,23 @@ class FleetSource final : public SpinUp {
     starts.nearest[i] = end.nearest;
     model::release_balls(m.systems[k], state, fleet.state(i));
     if (end.crossing) return;
-    Fate fate = end.fate;
-    const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
+    Outcome outcome = end.outcome;
+    const bool to_the_end = outcome.kind == OutcomeKind::undecided && now >= until(i, k);
     if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
     const bool may_come = std::fabs(end.nearest - rule.release_speed) < nearly_let_go * std::fabs(rule.release_speed);
-    const bool hangs = fate.by == DecidedBy::validated;
-    if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on with new windows
-    const bool steady_now = fate.outcome == Outcome::attracted || rule.windows.at_horizon;
-    if (hangs) fate.mean_speed = 0.0F;
+    const bool hangs = outcome.by == DecidedBy::validated;
+    if (outcome.kind == OutcomeKind::attracted && may_come && !hangs) return;  // goes on with new windows
+    const bool steady_now = outcome.kind == OutcomeKind::attracted || rule.windows.at_horizon;
+    if (hangs) outcome.mean_speed = 0.0F;
     // A window of the run-up has the mean speed of its time, not the last one.
-    if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
-    const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
-    if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
-    if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;
-    fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing : to_the_end ? DecidedBy::horizon : end.fate.by;
-    starts.fates[i] = fate;
+    if (to_the_end) outcome.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
+    const bool slow = std::fabs(outcome.mean_speed) < m.study.stall_speed();
+    if (outcome.kind == OutcomeKind::attracted) outcome.kind = OutcomeKind::undecided;
+    if (outcome.kind == OutcomeKind::undecided && steady_now && slow) outcome.kind = OutcomeKind::stalled;
+    outcome.by = outcome.kind != OutcomeKind::stalled ? DecidedBy::nothing
+                 : to_the_end                         ? DecidedBy::horizon
+                                                      : end.outcome.by;
+    starts.outcomes[i] = outcome;
     starts.over[i] = 1;
   }
 

@@ -19,20 +19,20 @@ namespace equipoise {
 
 /// Row-major, one row per start.
 struct SpunUp {
-  std::vector<double> phi;       ///< initial ball angles
-  std::vector<double> states;    ///< of the system (machine/model/system.hpp), at `begins`
-  std::vector<double> begins;    ///< when balls are free and the last piece has begun; empty: all at SpinUp::settled()
-  std::vector<double> released;  ///< when balls were released, if starts differ in it; else empty
-  std::vector<Fate> fates;       ///< of starts that are over
-  std::vector<char> over;        ///< whether the outcome is known: never released; empty: only lost starts are over
-  std::vector<double> nearest;   ///< of starts never released: of all speeds reached, the nearest to the release speed
-  std::vector<OwnRotor> rotors;  ///< each start's own, over the last piece of its drive; empty: all share one
+  std::vector<double> phi;        ///< initial ball angles
+  std::vector<double> states;     ///< of the system (machine/model/system.hpp), at `begins`
+  std::vector<double> begins;     ///< when balls are free and the last piece has begun; empty: all at SpinUp::settled()
+  std::vector<double> released;   ///< when balls were released, if starts differ in it; else empty
+  std::vector<Outcome> outcomes;  ///< of starts that are over
+  std::vector<char> over;         ///< whether the outcome is known: never released; empty: only lost starts are over
+  std::vector<double> nearest;    ///< of starts never released: of all speeds reached, the nearest to the release speed
+  std::vector<OwnRotor> rotors;   ///< each start's own, over the last piece of its drive; empty: all share one
 
   bool is_over(std::size_t i) const {
-    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
+    const bool lost = outcomes[i].kind == OutcomeKind::diverged || outcomes[i].kind == OutcomeKind::failed;
     return lost || (!over.empty() && over[i]);
   }
-  std::size_t size() const { return fates.size(); }
+  std::size_t size() const { return outcomes.size(); }
   double begin(std::size_t i, double settled) const { return begins.empty() ? settled : begins[i]; }
 };
 

@@ -162,11 +162,11 @@ bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
     place(given[i], &starts.states[i * size], transients ? &transients->rows.emplace_back() : nullptr);
   }
   if (transients && first_free_ > 0) end_piece(first_free_ - 1, *transients);
-  starts.fates.resize(given.size());
+  starts.outcomes.resize(given.size());
   for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
     BatchTask branch = task(k, starts.states);
     branch.transients = transients;
-    if (!advance_batch(branch, starts.fates)) return false;
+    if (!advance_batch(branch, starts.outcomes)) return false;
     cross(k, starts.states);
     if (transients) end_piece(k, *transients);
   }

@@ -1,4 +1,4 @@
-// Fates of motors and off-centre races, decided on lanes, against the same starts followed one by one in doubles for
+// Outcomes of motors and off-centre races, decided on lanes, against the same starts followed one by one in doubles for
 // ten times as long without a rule, and described by means and extremes alone (machine_follow.hpp).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
-namespace smooth_fates_test {
+namespace smooth_outcomes_test {
 
-using equipoise::Fate;
 using equipoise::Outcome;
+using equipoise::OutcomeKind;
 using equipoise::parse_study;
 using equipoise::Study;
 
@@ -41,57 +41,57 @@ std::vector<Case> cases() {
           {"control", heavy + two + control}};
 }
 
-class SmoothFates : public testing::TestWithParam<Case> {};
+class SmoothOutcomes : public testing::TestWithParam<Case> {};
 
-TEST_P(SmoothFates, HoldTenTimesLater) {
+TEST_P(SmoothOutcomes, HoldTenTimesLater) {
   const Study study = parse_study(GetParam().toml, GetParam().name, {fmt::format("sampling.starts={}", starts)});
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   equipoise::BasinOptions options;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   const auto result = equipoise::basin(study, options);
-  ASSERT_EQ(fates.size(), starts);
-  const auto name_of = [&](const Fate& fate) -> std::string {
-    if (fate.outcome == Outcome::stalled) return "stalled";
+  ASSERT_EQ(outcomes.size(), starts);
+  const auto name_of = [&](const Outcome& outcome) -> std::string {
+    if (outcome.kind == OutcomeKind::stalled) return "stalled";
     for (const auto& a : result.attractors)
       // Without ", period 2" and the like, which means do not show.
-      if (a.id == fate.attractor) return a.name.substr(0, a.name.find(','));
+      if (a.id == outcome.attractor) return a.name.substr(0, a.name.find(','));
     return "?";
   };
   int undecided = 0;
   for (std::size_t i = 0; i < starts; ++i) {
-    const Fate& fate = fates[i];
-    undecided += fate.outcome == Outcome::undecided;
-    if (fate.outcome == Outcome::undecided) continue;
-    const double until = std::min(10.0 * std::max(300.0, fate.time), fate.time + 60000.0);
+    const Outcome& outcome = outcomes[i];
+    undecided += outcome.kind == OutcomeKind::undecided;
+    if (outcome.kind == OutcomeKind::undecided) continue;
+    const double until = std::min(10.0 * std::max(300.0, outcome.time), outcome.time + 60000.0);
     const auto seen = machine_follow::follow(study, i, until);
     ASSERT_FALSE(seen.lost);
-    const std::string name = name_of(fate), then = machine_follow::kind_of(study, seen);
+    const std::string name = name_of(outcome), then = machine_follow::kind_of(study, seen);
     EXPECT_EQ(name == "balanced" || name == "locked" ? "rest" : name, then) << "start " << i;
     // Chaos changes a mean over hundreds of time units by about one per cent.
     if (study.speed.driven()) {
-      EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
+      EXPECT_NEAR(outcome.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
     }
   }
   EXPECT_LE(undecided, 1);
 }
 // Decided by proof, balance is known later, and nothing else changes.
-TEST_P(SmoothFates, AreThoseByProof) {
+TEST_P(SmoothOutcomes, AreThoseByProof) {
   const std::string& toml = GetParam().toml;
   if (toml.find("gravity") != std::string::npos) GTEST_SKIP() << "no proofs";
-  const auto fates_by = [&](const std::string& decide) {
-    std::vector<Fate> fates;
+  const auto outcomes_by = [&](const std::string& decide) {
+    std::vector<Outcome> outcomes;
     equipoise::BasinOptions options;
-    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
     equipoise::basin(
         parse_study(toml, GetParam().name, {fmt::format("sampling.starts={}", starts), "numerics.decide=" + decide}),
         options);
-    return fates;
+    return outcomes;
   };
-  const std::vector<Fate> validated = fates_by("validated"), proved = fates_by("proof");
+  const std::vector<Outcome> validated = outcomes_by("validated"), proved = outcomes_by("proof");
   ASSERT_EQ(validated.size(), proved.size());
   int balanced = 0;
   for (std::size_t i = 0; i < proved.size(); ++i) {
-    EXPECT_EQ(proved[i].outcome, validated[i].outcome) << i;
+    EXPECT_EQ(proved[i].kind, validated[i].kind) << i;
     EXPECT_EQ(proved[i].attractor, validated[i].attractor) << i;
     if (proved[i].attractor != equipoise::balanced_id) continue;
     ++balanced;
@@ -100,7 +100,7 @@ TEST_P(SmoothFates, AreThoseByProof) {
   EXPECT_GT(balanced, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, SmoothFates, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Case, SmoothOutcomes, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace smooth_fates_test
+}  // namespace smooth_outcomes_test

@@ -11,7 +11,7 @@
 #include "equipoise/machine/model/system.hpp"
 #include "machine_follow.hpp"
 
-namespace many_balls_fates_test {
+namespace many_balls_outcomes_test {
 
 using namespace equipoise;
 
@@ -62,4 +62,4 @@ TEST_P(ManyBalls, ComeToWhatTheyAreSaidTo) {
 
 INSTANTIATE_TEST_SUITE_P(Of, ManyBalls, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
 
-}  // namespace many_balls_fates_test
+}  // namespace many_balls_outcomes_test

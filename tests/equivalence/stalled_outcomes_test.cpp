@@ -12,7 +12,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
-namespace stalled_fates_test {
+namespace stalled_outcomes_test {
 
 using namespace equipoise;
 
@@ -55,26 +55,26 @@ Study study_of(const Case& c) {
   return parse_study(toml, c.name, changes);
 }
 
-class StalledFates : public testing::TestWithParam<Case> {};
+class StalledOutcomes : public testing::TestWithParam<Case> {};
 
-TEST_P(StalledFates, StandStillForGood) {
+TEST_P(StalledOutcomes, StandStillForGood) {
   const Study study = study_of(GetParam());
-  std::vector<Fate> fates;
+  std::vector<Outcome> outcomes;
   BasinOptions options;
-  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  options.outcome = [&](const Outcome& outcome) { outcomes.push_back(outcome); };
   const BasinResult result = basin(study, options);
-  ASSERT_EQ(fates.size(), starts);
+  ASSERT_EQ(outcomes.size(), starts);
   std::size_t standing = 0;
   std::set<int> places;
   for (std::size_t i = 0; i < starts; ++i) {
-    const Fate& fate = fates[i];
-    EXPECT_NE(fate.outcome, Outcome::undecided) << i;
-    EXPECT_LT(fate.time, GetParam().latest) << i;
-    if (fate.outcome != Outcome::stalled || std::fabs(fate.mean_speed) > 1e-6) continue;
+    const Outcome& outcome = outcomes[i];
+    EXPECT_NE(outcome.kind, OutcomeKind::undecided) << i;
+    EXPECT_LT(outcome.time, GetParam().latest) << i;
+    if (outcome.kind != OutcomeKind::stalled || std::fabs(outcome.mean_speed) > 1e-6) continue;
     ++standing;
-    EXPECT_EQ(fate.by, DecidedBy::validated) << i;
-    places.insert(fate.attractor);
-    const auto seen = machine_follow::follow(study, i, 4.0 * fate.time + 4000.0);
+    EXPECT_EQ(outcome.by, DecidedBy::validated) << i;
+    places.insert(outcome.attractor);
+    const auto seen = machine_follow::follow(study, i, 4.0 * outcome.time + 4000.0);
     ASSERT_FALSE(seen.lost);
     EXPECT_LT(std::fabs(seen.speed), 1e-6) << i;  // of 2000 time units or more: within a thousandth of a turn
     EXPECT_LT(seen.last_r, 1e-4) << i;            // the slowest rate is 0.005
@@ -84,7 +84,7 @@ TEST_P(StalledFates, StandStillForGood) {
   EXPECT_EQ(places.size(), GetParam().places);
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, StalledFates, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Case, StalledOutcomes, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
 BasinResult basin_of(const std::string& speed, const std::vector<std::string>& changes) {
@@ -113,4 +113,4 @@ TEST(HeldBalls, WaitForTheirMotor) {
   EXPECT_EQ(result.stalled->count, 0u);
 }
 
-}  // namespace stalled_fates_test
+}  // namespace stalled_outcomes_test

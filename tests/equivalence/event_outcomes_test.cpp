@@ -19,7 +19,7 @@
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
-namespace event_fates_test {
+namespace event_outcomes_test {
 
 using namespace equipoise;
 
@@ -60,9 +60,9 @@ BasinResult run(Study study, std::uint64_t starts) {
   return basin(study, options);
 }
 
-class EventFates : public testing::TestWithParam<Case> {};
+class EventOutcomes : public testing::TestWithParam<Case> {};
 
-TEST_P(EventFates, HoldTwentyTimesLater) {
+TEST_P(EventOutcomes, HoldTwentyTimesLater) {
   constexpr std::uint64_t starts = 24;  // three blocks of the widest lanes; 240 in all
   Study study = parse_study(GetParam().toml, GetParam().name);
   const BasinResult early = run(study, starts);
@@ -82,7 +82,8 @@ TEST_P(EventFates, HoldTwentyTimesLater) {
   EXPECT_LE(undecided, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EventFates, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, EventOutcomes, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
 
 // Every start followed alone, in doubles, until its balls rest.
 TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
@@ -129,4 +130,4 @@ TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   EXPECT_TRUE(stuck);
 }
 
-}  // namespace event_fates_test
+}  // namespace event_outcomes_test
