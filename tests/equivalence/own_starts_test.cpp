@@ -101,7 +101,7 @@ std::string bits(const std::vector<T>& values) {
 
 void expect_same_outcomes(const StartArrays& a, const StartArrays& b) {
   ASSERT_EQ(a.starts, b.starts);
-  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.outcome, b.outcome);
   EXPECT_EQ(bits(a.phi), bits(b.phi));
   EXPECT_EQ(bits(a.decision_time), bits(b.decision_time));
   EXPECT_EQ(a.decided_by, b.decided_by);

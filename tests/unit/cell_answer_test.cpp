@@ -12,6 +12,7 @@
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/outcome.hpp"
 
@@ -157,6 +158,10 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
   CapacityResult by_limits = capacity_of({inside});
   by_limits.by = "limits";
   EXPECT_TRUE(holds(answer_sentence(by_limits), "95 % of starts keep every limit: shown up to 201"));
+  // The share that is tabled and drawn is that of starts that keep the limits: those that balance are not counted.
+  const std::string page = document_text(document_of(by_limits));
+  EXPECT_TRUE(holds(page, "keep every limit  95 % interval"));
+  EXPECT_FALSE(holds(page, "balanced"));
   EXPECT_EQ(answer_sentence(capacity_of({inside, never, always})),
             "The largest unbalance at which 95 % of starts end balanced is more than 400 g mm at final speed 4 ω_c; it "
             "is least at final speed 3 ω_c: less than 20 g mm (95 % confidence).");

@@ -21,7 +21,7 @@ namespace comparison_result_test {
 BasinOutcomes ensemble(const std::vector<short>& outcome) {
   BasinOutcomes o;
   o.study = parse_study(constant_speed, "rotor");
-  o.kind = outcome;
+  o.outcome = outcome;
   o.names = {
       {1, {"balanced", ""}}, {2, {"co-drifting", "V1"}}, {9, {"wobble", ""}}, {undecided_code, {"undecided", ""}}};
   return o;

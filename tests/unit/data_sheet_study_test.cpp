@@ -214,7 +214,7 @@ TEST(DataSheet, KeepsKeysInQuotes) {
 
 TEST(DataSheet, RefusesAGravityThatNoNumberFollows) {
   EXPECT_TRUE(
-      holds(refusal_of(constant_speed, {"rotor.gravity=1e300"}), "rotor.gravity = 1e+300: pulls the rotor farther"));
+      holds(refusal_of(constant_speed, {"rotor.gravity=1e300"}), "rotor.gravity = 1e+300: pulls the rotor further"));
   EXPECT_EQ(refusal_of(constant_speed, {"rotor.gravity=1e290"}), "");
 }
 

@@ -1,6 +1,7 @@
 // How features of a motion change from rotor to rotor.
 #include "equipoise/classification/rotor_family/feature_trends.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,32 @@ TEST(FeatureTrends, IsThatOfTheRotorsThatStayed) {
   OwnRotor rotor = rotor_at(0.2);
   trends.place(rotor);
   EXPECT_NEAR(brought_back(shown(0.11, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
+}
+
+// Windows of a motion that hardly shakes a rotor look like those of balance, so neither is known by them.
+TEST(FeatureTrends, MotionsThatHardlyShakeARotorAreNotKnownByTheirWindows) {
+  FeatureTrends trends;
+  const auto growing = along(0.0, 0.2, 0.0);
+  const std::vector<KnownFeatures> known{{.features = growing[20].features, .attractor = 7, .trend = 0}};
+  EXPECT_EQ(trends.add(2, 0.05, growing[20], growing), 0);
+  ClassificationRule rule;
+  rule.window = 1.0;
+  rule.boxes = {{.low = known[0].features, .high = known[0].features, .attractor = 7, .hits_needed = 2, .trend = 0}};
+  for (int k = 0; k < 3; ++k) {
+    rule.boxes[0].low[k] -= 0.004;
+    rule.boxes[0].high[k] += 0.004;
+  }
+  for (const double x : {0.01, 0.9}) {
+    OwnRotor rotor = rotor_at(x);
+    trends.place(rotor);
+    EXPECT_EQ(nearest_known(shown(0.2 * x, 0.0), known, 2, rotor.shifts.data()) != nullptr, x > 0.5) << x;
+    WindowTracker tracker;
+    tracker.begin(rule, &rotor);
+    WindowSums half{.duration = 0.5, .r2_min = std::pow(0.1 * x, 2), .r2_max = std::pow(0.2 * x, 2)};
+    half.r2_integral = std::pow(0.16 * x, 2) * half.duration;
+    for (int k = 0; k < 2; ++k) EXPECT_FALSE(tracker.add(half).decided);
+    EXPECT_EQ(tracker.add(half).attractor, x > 0.5 ? 7 : 0) << x;
+  }
 }
 
 TEST(FeatureTrends, ChaosLastsWhereItDidForAllNearest) {

@@ -398,9 +398,9 @@ TEST(LockedChart, SaysOfWhichRotorsItKnowsNoLockedStates) {
   const auto told = [&](const std::string& more) {
     return result_text(chart_of(with(constant_speed, "drag = 0.05\n", "drag = 0.05\n" + more), x, y));
   };
-  EXPECT_FALSE(holds(told(""), "nothing is told"));
-  EXPECT_TRUE(holds(told("stiction = 0.001\n"), "balls that touch or stick"));
-  EXPECT_TRUE(holds(told("contact_angle = 0.2\n"), "balls that touch or stick"));
+  EXPECT_FALSE(holds(told(""), "were not analysed"));
+  EXPECT_TRUE(holds(told("stiction = 0.001\n"), "touching or sticking balls may rest anywhere"));
+  EXPECT_TRUE(holds(told("contact_angle = 0.2\n"), "touching or sticking balls may rest anywhere"));
 }
 
 }  // namespace locked_chart_test

@@ -212,6 +212,10 @@ TEST(NoteText, IsInTheUnitsOfTheStudy) {
   EXPECT_EQ(note_text(study, note),
             "the balanced state exists but is unstable at 2000 rpm (growth rate 0.632 1/s)");  // of machine_omega_c
   EXPECT_TRUE(holds(note_text(study, drawn), "unstable at 2000 rpm (growth rates 0.632 to 1.26 1/s)"));
+  drawn.add_before("for some of the rotors drawn, ");
+  EXPECT_EQ(note_text(study, drawn),
+            "for some of the rotors drawn, all 64 drawn evenly from it are unstable at 2000 rpm (growth rates 0.632 to "
+            "1.26 1/s)");
   EXPECT_EQ(note_text(parse_study(constant_speed, "s.toml"), unstable(2.0 / 3.0)),
             "the balanced state exists but is unstable at speed 0.6667 (growth rate 0.01)");
   EXPECT_EQ(note_text(study, plain), "proofs need gravity 0");

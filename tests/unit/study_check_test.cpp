@@ -167,7 +167,7 @@ TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
 TEST(StudyCheck, SaysWhereDragIsOfAFormula) {
   const std::string most = check_of(checked).most;
   EXPECT_TRUE(holds(most, "ball drag, here from a formula")) << most;
-  EXPECT_FALSE(holds(check_of(ramp_machine).most, "of a formula"));
+  EXPECT_FALSE(holds(check_of(ramp_machine).most, "from a formula"));
 }
 
 }  // namespace study_check_test

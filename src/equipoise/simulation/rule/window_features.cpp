@@ -43,6 +43,13 @@ void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
   }
 }
 
+// What balance shows of a rotor as fast as this.
+Features balance_at_speed_of(const Features& f, int balls) {
+  Features balance{};
+  std::copy_n(&f[speed_feature(balls)], 3, &balance[speed_feature(balls)]);
+  return balance;
+}
+
 double largest_speed(const Features& f, int balls) {
   return std::max(std::fabs(f[speed_feature(balls) + 1]), std::fabs(f[speed_feature(balls) + 2]));
 }
@@ -115,8 +122,12 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
   int first = 0;  // the attractor of the first one that agrees
   double least = std::numeric_limits<double>::infinity();
   for (const KnownFeatures& k : known) {
+    const auto agrees = [&](const Features& f) { return same_motion(k.features, f, balls, tolerance); };
     const Features f = brought_back(own, k.trend, shifts, balls);
-    if (!same_motion(k.features, f, balls, tolerance)) continue;
+    if (!agrees(f)) continue;
+    if (shifts && k.trend >= 0 && k.attractor != balanced_id &&
+        agrees(brought_back(balance_at_speed_of(own, balls), k.trend, shifts, balls)))
+      continue;  // it hardly shakes this rotor, and cannot be told from balance
     // Where rotors differ, two motions that look alike may be one motion before and after a bifurcation.
     if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
     first = k.attractor;
@@ -160,7 +171,7 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
     fresh_range_ = false;
     for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
       const FeatureBox& box = rule_->boxes[b];
-      runs_[b] = inside(box, brought_back(f, box.trend, shifts_of(own_), balls), balls) ? runs_[b] + 1 : 0;
+      runs_[b] = shows(box, f) ? runs_[b] + 1 : 0;
       longest_[b] = std::max(longest_[b], runs_[b]);
     }
   }
@@ -169,6 +180,16 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
   if (!rule_->blind)
     if (const int attractor = attractor_now()) return {true, attractor};
   return elapsed_ >= long_end_ ? finish_long_window() : WindowConclusion{};
+}
+
+bool WindowTracker::shows(const FeatureBox& box, const Features& f) const {
+  const int balls = rule_->balls;
+  const auto holds = [&](const Features& g) {
+    return inside(box, brought_back(g, box.trend, shifts_of(own_), balls), balls);
+  };
+  if (!holds(f)) return false;
+  // Where the motion hardly shakes this rotor, a box as wide as others of the family need may also hold balance.
+  return box.trend < 0 || box.attractor == balanced_id || !holds(balance_at_speed_of(f, balls));
 }
 
 int WindowTracker::attractor_now() const {
