@@ -43,13 +43,6 @@ void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
   }
 }
 
-// What balance shows of a rotor as fast as this.
-Features balance_at_speed_of(const Features& f, int balls) {
-  Features balance{};
-  std::copy_n(&f[speed_feature(balls)], 3, &balance[speed_feature(balls)]);
-  return balance;
-}
-
 double largest_speed(const Features& f, int balls) {
   return std::max(std::fabs(f[speed_feature(balls) + 1]), std::fabs(f[speed_feature(balls) + 2]));
 }
@@ -116,18 +109,27 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
   return result;
 }
 
+namespace {
+
+// Whether a rotor's window, brought back with its shifts, shakes it less than half as much as its motion does that
+// looks like `motion` at the middle: then balance is nearer. A motion that hardly shakes this rotor agrees with both.
+bool is_nearer_balance(const Features& f, const Features& motion, int trend, const double* shifts, int balls) {
+  if (!shifts || trend < 0) return false;
+  const double own = shifts[trend * feature_count(balls) + 1];
+  return f[1] + own < 0.5 * std::fabs(motion[1] + own);
+}
+
+}  // namespace
+
 const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts, double tolerance) {
   const KnownFeatures* nearest = nullptr;
   int first = 0;  // the attractor of the first one that agrees
   double least = std::numeric_limits<double>::infinity();
   for (const KnownFeatures& k : known) {
-    const auto agrees = [&](const Features& f) { return same_motion(k.features, f, balls, tolerance); };
     const Features f = brought_back(own, k.trend, shifts, balls);
-    if (!agrees(f)) continue;
-    if (shifts && k.trend >= 0 && k.attractor != balanced_id &&
-        agrees(brought_back(balance_at_speed_of(own, balls), k.trend, shifts, balls)))
-      continue;  // it hardly shakes this rotor, and cannot be told from balance
+    if (!same_motion(k.features, f, balls, tolerance)) continue;
+    if (k.attractor != balanced_id && is_nearer_balance(f, k.features, k.trend, shifts, balls)) continue;
     // Where rotors differ, two motions that look alike may be one motion before and after a bifurcation.
     if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
     first = k.attractor;
@@ -184,12 +186,11 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
 
 bool WindowTracker::shows(const FeatureBox& box, const Features& f) const {
   const int balls = rule_->balls;
-  const auto holds = [&](const Features& g) {
-    return inside(box, brought_back(g, box.trend, shifts_of(own_), balls), balls);
-  };
-  if (!holds(f)) return false;
-  // Where the motion hardly shakes this rotor, a box as wide as others of the family need may also hold balance.
-  return box.trend < 0 || box.attractor == balanced_id || !holds(balance_at_speed_of(f, balls));
+  const Features back = brought_back(f, box.trend, shifts_of(own_), balls);
+  if (!inside(box, back, balls)) return false;
+  Features centre{};
+  centre[1] = 0.5 * (box.low[1] + box.high[1]);
+  return box.attractor == balanced_id || !is_nearer_balance(back, centre, box.trend, shifts_of(own_), balls);
 }
 
 int WindowTracker::attractor_now() const {

@@ -38,8 +38,8 @@ bool inside(const FeatureBox& box, const Features& f, int balls);
 /// A finite window of a torus or of chaos shows its extremes and means to a few percent.
 inline constexpr double known_tolerance = 0.05;
 /// The entry of `known` nearest to long-window features `f`; null if none is the same motion to `tolerance`. `shifts`:
-/// of the rotor, or null; with shifts the result is also null if two attractors agree to known_tolerance, and motions
-/// that hardly shake this rotor, so that balance would agree as well, are left out.
+/// of the rotor, or null; with shifts the result is also null if two attractors agree to known_tolerance, and a
+/// motion that hardly shakes this rotor is left out if balance is nearer to the window.
 const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts = nullptr, double tolerance = known_tolerance);
 
@@ -73,7 +73,7 @@ class WindowTracker {
   int settled_at_end() const;
 
  private:
-  // Whether a short window lies in the box and the box tells its motion from balance.
+  // Whether a short window lies in the box and is not nearer to balance than to the box's motion.
   bool shows(const FeatureBox& box, const Features& f) const;
   // The attractor in whose box the last short windows lie, as many as the box needs; 0 if none.
   int attractor_now() const;
