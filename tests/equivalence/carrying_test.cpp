@@ -196,8 +196,9 @@ TEST(Carrying, IsToldAndWarnedOf) {
   for (const bool warm : {false, true}) {
     const std::vector<std::string> overrides{std::string("balancer.oil.at=") + (warm ? "40" : "30") + " degC"};
     const Explanation e = explained(blower, overrides);
-    EXPECT_EQ(warned(e, "balls that hang below the shaft at the final speed stay there and balance nothing, unless "
-                        "vibration shakes them loose"),
+    EXPECT_EQ(warned(e,
+                     "balls that hang below the shaft at the final speed stay there and balance nothing, unless "
+                     "vibration frees them"),
               warm);
     EXPECT_EQ(rule(e, "carried").kept, !warm);
     EXPECT_TRUE(holds(explain_text(e), warm ? "drag carries hanging balls round from 1578" : "from 864"));

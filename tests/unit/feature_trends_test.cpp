@@ -71,8 +71,8 @@ TEST(FeatureTrends, IsThatOfTheRotorsThatStayed) {
   EXPECT_NEAR(brought_back(shown(0.11, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
 }
 
-// On a rotor that a motion hardly shakes, windows of balance agree with it and with balance, which is nearer.
-TEST(FeatureTrends, BalanceIsNotKnownAsAMotionThatHardlyShakesTheRotor) {
+// On a rotor where a motion causes little vibration, windows of balance agree with both, but balance is nearer.
+TEST(FeatureTrends, BalanceIsNotKnownAsAMotionWithLittleVibration) {
   FeatureTrends trends;
   const auto growing = along(0.0, 0.2, 0.0);
   const std::vector<KnownFeatures> known{{.features = growing[20].features, .attractor = 7, .trend = 0}};

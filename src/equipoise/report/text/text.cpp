@@ -213,11 +213,12 @@ std::string hanging_text(const Study& study) {
   const auto c = carrying(study);
   if (!c || !c->may_hang()) return "";
   std::string text =
-      "balls that hang below the shaft at the final speed stay there and balance nothing, unless vibration shakes them "
-      "loose: " +
+      "balls that hang below the shaft at the final speed stay there and balance nothing, unless vibration frees "
+      "them: " +
       carried_text(study, *c);
   const double factor = c->all / c->reached;
-  return std::isinf(factor) ? text : text + fmt::format("; at the speed reached it takes {:.4g} times the drag", factor);
+  return std::isinf(factor) ? text
+                            : text + fmt::format("; at the speed reached it takes {:.4g} times the drag", factor);
 }
 
 const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }

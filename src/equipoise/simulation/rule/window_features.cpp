@@ -111,8 +111,9 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
 
 namespace {
 
-// Whether a rotor's window, brought back with its shifts, shakes it less than half as much as its motion does that
-// looks like `motion` at the middle: then balance is nearer. A motion that hardly shakes this rotor agrees with both.
+// Whether the radius in a rotor's window is less than half of its motion's, which looks like `motion` at the middle:
+// then balance is nearer. If that motion causes little vibration on this rotor, the window may agree with both. `f` has
+// been brought back with the rotor's shifts.
 bool is_nearer_balance(const Features& f, const Features& motion, int trend, const double* shifts, int balls) {
   if (!shifts || trend < 0) return false;
   const double own = shifts[trend * feature_count(balls) + 1];

@@ -39,7 +39,7 @@ bool inside(const FeatureBox& box, const Features& f, int balls);
 inline constexpr double known_tolerance = 0.05;
 /// The entry of `known` nearest to long-window features `f`; null if none is the same motion to `tolerance`. `shifts`:
 /// of the rotor, or null; with shifts the result is also null if two attractors agree to known_tolerance, and a
-/// motion that hardly shakes this rotor is left out if balance is nearer to the window.
+/// motion with little vibration on this rotor is left out if balance is nearer to the window.
 const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts = nullptr, double tolerance = known_tolerance);
 
