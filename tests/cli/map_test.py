@@ -120,7 +120,7 @@ class Results(unittest.TestCase):
         output, errors, code = interrupted(process)
         self.assertEqual(code, 130)
         self.assertIn("PARTIAL", output)
-        self.assertIn("the same command goes on", errors)
+        self.assertIn("the same command resumes", errors)
         if "stopped before any of 4000000 pixels was done; nothing is known of the map" in " ".join(output.split()):
             self.assertNotIn("of the map\n", output)  # no shares of nothing
             return

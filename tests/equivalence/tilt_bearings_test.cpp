@@ -89,7 +89,7 @@ TEST(TiltBearings, MoreThanTwoAreStatedOneByOne) {
            {{damping}, "rotor.tilt.bearings_damping"},  // their moment is 1.8, not 0.9
            {{"rotor.tilt.stiffness=[0, 9]"},
             "must add up, with its moments about the centre of mass, to rotor.stiffness and"},
-           {{"rotor.tilt.bearings_stiffness=[0.5, 0.5]"}, "of 3 numbers, one a bearing"},
+           {{"rotor.tilt.bearings_stiffness=[0.5, 0.5]"}, "of 3 numbers, one per bearing"},
            {{"rotor.tilt.bearings_stiffness=[0.5, -0.1, 0.6]"}, "entry 2 must be a finite number at least 0"},
            {{"rotor.tilt.bearings_at=[3, 0, -3, 1, 1, 1, 1, 1, 1]"}, "at most 8"}})
     EXPECT_NE(refused(overrides).find(part), std::string::npos) << part << ": " << refused(overrides);

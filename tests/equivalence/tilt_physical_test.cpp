@@ -320,7 +320,7 @@ TEST(TiltPhysical, SaysWhatItNeeds) {
            {{"rotor.tilt.bearings=[" + good + ", {at='0.1 m', stiffness=['2 kN/m', '0 N/m'], damping='0 N s/m'}]"},
             "rotor.tilt.bearings",
             "in x and in y"},
-           {{"rotor.tilt.bearings=3"}, "rotor.tilt.bearings", "must be an array of tables, one a bearing"},
+           {{"rotor.tilt.bearings=3"}, "rotor.tilt.bearings", "must be an array of tables, one per bearing"},
            {{"rotor.tilt.bearings.2.at=0.2"}, "rotor.tilt.bearings.2.at", "is a plain number"},
            {{"rotor.tilt.bearings.2.stiffness=-3 N/m"},
             "rotor.tilt.bearings.2.stiffness",
