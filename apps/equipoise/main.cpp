@@ -17,6 +17,7 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/design/search.hpp"
+#include "equipoise/core/base/interrupted.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/study/toml/overrides.hpp"
@@ -134,6 +135,9 @@ int say_error(const std::exception_ptr& thrown) {
   } catch (const InputError& e) {
     say(from_options(e).what());
     return bad_input;
+  } catch (const Interrupted& e) {
+    say(e.what());
+    return interrupted;
   } catch (const std::bad_alloc&) {
     say("out of memory: the system gives no more to this process");
     return failed;

@@ -80,7 +80,8 @@ Study at_medians(Study study) {
 
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
-  if (const std::string problem = io::why_not_writable(path); !problem.empty())
+  const bool results = path.ends_with(".nc");
+  if (const std::string problem = results ? io::why_no_results_at(path) : io::why_not_writable(path); !problem.empty())
     throw InputError(option, "", path,
                      fmt::format("cannot be written: {}; must be a file in a folder that exists", problem));
 }

@@ -60,6 +60,7 @@ int close_output(int code) {
   if (output_error == 0 && (lost || !closed)) output_error = errno != 0 ? errno : EIO;
   if (output_error == 0) return code;
   if (output_error == EPIPE) return 128 + SIGPIPE;
+  if (output_error == EINTR) return interrupted;
   say("standard output cannot be written: {}", std::strerror(output_error));
   return failed;
 }

@@ -33,7 +33,7 @@ bool error_is_terminal();
 std::size_t terminal_width();
 
 /// Flushes and closes standard output. Returns `code`; if anything was lost, by put() or by others, 1 after a line
-/// that says so; 128 + SIGPIPE silently if the reader has gone.
+/// that says so; 128 + SIGPIPE silently if the reader has gone, 130 if a stop ended the wait for it.
 int close_output(int code);
 
 }  // namespace equipoise::app

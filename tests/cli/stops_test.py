@@ -7,6 +7,7 @@ import json
 import os
 import resource
 import signal
+import stat
 import subprocess
 import sys
 import time
@@ -65,21 +66,42 @@ class Stops(Case):
         process.send_signal(signal.SIGTERM)
         self.assertLess(process.wait(timeout=10), 0)
 
-    def test_a_pipe_that_nobody_reads(self):
-        fifo = self.path("c.json")
-        os.mkfifo(fifo)
-        process = started("certify", *EASY, "-o", fifo, "--quiet")
+    def stopped_while_it_waits(self, *arguments, calls=("2", "257")):  # open, openat
+        process = started(*arguments)
         self.addCleanup(process.kill)
         def waits():
             with open(f"/proc/{process.pid}/syscall", encoding="ascii") as file:
-                return file.read().split()[0] in ("2", "257")  # open, openat
+                return file.read().split()[0] in calls
         limit = time.monotonic() + 60
         while not waits() and process.poll() is None and time.monotonic() < limit:
             time.sleep(0.05)
         process.send_signal(signal.SIGTERM)
         _, said = process.communicate(timeout=10)
-        self.assertEqual(process.returncode, 1, said)
-        self.assertIn("cannot be written", said)
+        self.assertEqual(process.returncode, 130, (arguments, said))
+        self.assertEqual(said.count("\n"), 1, said)
+        return said
+
+    def test_a_pipe_with_nobody_at_its_other_end(self):
+        fifo = self.path("f.json")
+        os.mkfifo(fifo)
+        for arguments in (("certify", *EASY, "-o", fifo, "--quiet"), ("check", fifo), ("certify", "--check", fifo)):
+            self.assertIn("f.json: stopped while waiting for this file", self.stopped_while_it_waits(*arguments))
+        with open(os.open(fifo, os.O_RDWR), "rb"):  # now it opens, and nothing comes
+            self.stopped_while_it_waits("check", fifo, calls=("0",))  # read
+
+    def test_what_is_not_a_regular_file_is_not_removed(self):
+        fifo = self.path("f.nc")
+        for name in ("f.nc", "g.nc.part"):
+            os.mkfifo(self.path(name))
+        runs = ("--starts", "2", "--quiet")
+        for arguments in (("simulate", *EASY), ("basin", *EASY, *runs), ("sweep", *EASY, *runs, "--over", "speed.final=2.4"), ("map", *EASY, "--size", "2x2"),
+                          ("stability", *EASY, "--size", "2x2"), ("attractors", *EASY, "--along", "speed.final=2.4:2.5:0.1")):
+            self.refused(*arguments, "-o", fifo, words=["only a regular file can hold results"])
+        self.refused("basin", *EASY, *runs, "-o", self.path("g.nc"), words=["g.nc.part: is not a regular file"])
+        for arguments in (("inspect", fifo), ("merge", fifo, "-o", self.path("o.nc")), ("compare", fifo, fifo)):
+            self.refused(*arguments, words=["not a regular file"])
+        for name in ("f.nc", "g.nc.part"):
+            self.assertTrue(stat.S_ISFIFO(os.stat(self.path(name)).st_mode), name)
 
     def test_checks_of_certificates(self):
         proofs = self.path("c.json")

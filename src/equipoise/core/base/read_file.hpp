@@ -14,7 +14,8 @@ struct FileText {
   std::string problem;  ///< empty if the file was read
 };
 
-/// An endless file such as /dev/zero stops at `longest` bytes, a multiple of 1 MiB.
+/// An endless file such as /dev/zero stops at `longest` bytes, a multiple of 1 MiB. Throws Interrupted if a signal ends
+/// the wait for a pipe.
 FileText read_file(const std::string& path, std::size_t longest);
 
 }  // namespace equipoise

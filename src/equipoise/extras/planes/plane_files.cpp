@@ -35,7 +35,7 @@ std::string identity_of(const BifurcationChart& chart) {
 void require_identity(const std::string& path, const char* command, const std::string& identity, const char* kind,
                       const char* results) {
   const std::string allowed = fmt::format("must be a new file, or one that \"{} -o\" wrote", command);
-  const std::string place = io::results_path(path, allowed);
+  const std::string place = io::results_path(path);
   if (!std::filesystem::exists(place)) return;
   std::string there;
   try {

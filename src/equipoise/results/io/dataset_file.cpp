@@ -5,6 +5,9 @@
 #include <functional>
 #include <numeric>
 
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/replacement.hpp"
 
 namespace equipoise::io {
@@ -68,6 +71,8 @@ void write_values(NetcdfFile& file, int variable, const DataColumn& column, cons
 }  // namespace
 
 void write_netcdf_file(const std::string& path, const Dataset& data) {
+  if (const std::string problem = why_no_results_at(path); !problem.empty())
+    throw RunError(fmt::format("{}: cannot be written: {}", path, problem));
   Replacement place(path);
   NetcdfFile file(place.file(), mode_for(data), path);
   std::vector<int> dimensions, variables;

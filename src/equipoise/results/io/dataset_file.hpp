@@ -9,7 +9,7 @@
 
 namespace equipoise::io {
 
-/// Puts a new file, sealed (replacement.hpp), in the place of `path`. Throws RunError, with an old file as it was.
+/// Puts a new file, sealed (replacement.hpp), in the place of `path`. Throws RunError, with what was there as it was.
 void write_netcdf_file(const std::string& path, const Dataset& data);
 
 /// All values of a column. Throws RunError unless it has this type and shape.

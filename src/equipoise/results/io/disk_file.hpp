@@ -57,6 +57,8 @@ class DiskFile {
 struct Existing {
   bool there = false, regular = false;
   unsigned permissions = 0;
+  /// A folder, a pipe, a terminal: what is never removed or replaced.
+  bool special() const { return there && !regular; }
 };
 Existing existing(const std::string& path);
 int remove_file(const std::string& path);

@@ -70,6 +70,7 @@ Journal::Journal(const std::string& path, const std::string& output, const std::
 }
 
 Journal::Journal(const std::string& path) : path_(path), only_reads_(true) {
+  if (existing(path).special()) throw InputError(path, "", "", "cannot be read: not a regular file");
   const int error = file_.open(path, DiskFile::Open::read);
   const auto there = file_.size();
   if (error != 0 || !there) throw InputError(path, "", "", fmt::format("cannot be read: {}", error_text(error)));
@@ -84,6 +85,7 @@ Journal::~Journal() {
 
 // The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened again.
 void Journal::open_locked(const std::string& output) {
+  if (existing(path_).special()) throw InputError(path_, "", "", "is not a regular file; must be one, or absent");
   for (;;) {
     if (const int error = file_.open(path_, DiskFile::Open::update))
       throw InputError("output", "", "",

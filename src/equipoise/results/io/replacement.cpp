@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/interrupted.hpp"
 #include "equipoise/results/io/checksum.hpp"
 #include "equipoise/results/io/disk_file.hpp"
 
@@ -43,6 +44,7 @@ bool names_open_file(const std::string& path) {
 }
 
 [[noreturn]] void fail(const std::string& path, int error) {
+  if (error == EINTR) throw Interrupted(path);
   throw RunError(fmt::format("{}: cannot be written: {}", path, error_text(error)));
 }
 
@@ -82,6 +84,11 @@ std::string why_not_writable(const std::string& path) {
   return {};
 }
 
+std::string why_no_results_at(const std::string& path) {
+  const std::string problem = why_not_writable(path);
+  return problem.empty() && existing(path).special() ? "only a regular file can hold results" : problem;
+}
+
 int to_disk(const std::string& path) {
   DiskFile file;
   if (const int error = file.open(path, DiskFile::Open::read)) return error;
@@ -90,7 +97,7 @@ int to_disk(const std::string& path) {
 
 Replacement::Replacement(const std::string& path) : path_(resolved(path)) {
   const Existing old = existing(path_);
-  beside_ = (!old.there || old.regular) && !names_open_file(path_);
+  beside_ = !old.special() && !names_open_file(path_);
   if (!beside_) {
     file_ = path_;
     return;
@@ -149,6 +156,7 @@ void seal(const std::string& path, const std::string& name) {
 }
 
 std::string why_not_whole(const std::string& path) {
+  if (existing(path).special()) return "cannot be read: not a regular file";
   DiskFile file;
   if (const int error = file.open(path, DiskFile::Open::read))
     return fmt::format("cannot be read: {}", error_text(error));

@@ -8,6 +8,8 @@ namespace equipoise::io {
 
 /// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves no traces.
 std::string why_not_writable(const std::string& path);
+/// The same for a file of results, which is not written from front to back: nothing but a regular file can take it.
+std::string why_no_results_at(const std::string& path);
 
 /// The final path of a file, with symbolic links followed, so that replacing it does not break them.
 std::string resolved(const std::string& path);
@@ -38,7 +40,7 @@ class Replacement {
   bool beside_ = true, done_ = false;
 };
 
-/// Writes `text` to `path` by a Replacement. Throws RunError.
+/// Writes `text` to `path` by a Replacement. Throws RunError, or Interrupted.
 void write_whole(const std::string& path, const std::string& text);
 
 /// Seals a file: it ends with its own checksum, so that damage is found before the content is used. Throws RunError,

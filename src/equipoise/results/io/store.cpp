@@ -26,7 +26,7 @@ bool is_note(const Journal::Record& record) { return record.kind == Journal::Kin
 // A note is a record with page and number as `first` and `count`.
 Store::Store(const std::string& path, const std::string& identity, const Words& words)
     : words_(words),
-      path_(results_path(path, words.allowed)),
+      path_(results_path(path)),
       part_(path_ + ".part"),
       identity_(identity),
       notes_(

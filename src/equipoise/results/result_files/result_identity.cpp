@@ -113,17 +113,14 @@ void require_same(const std::string& there, const std::string& here, const std::
     throw InputError(of, "", "", fmt::format("holds something other than {}: {}; {}", results, how, allowed));
 }
 
-std::string results_path(const std::string& path, const std::string& allowed) {
-  if (const std::string problem = why_not_writable(path); !problem.empty())
+std::string results_path(const std::string& path) {
+  if (const std::string problem = why_no_results_at(path); !problem.empty())
     throw InputError("output", "", path, fmt::format("{}; must be a file that can be written", problem));
-  const std::string place = resolved(path);
-  if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
-    throw InputError("output", "", path, fmt::format("is not a regular file; {}", allowed));
-  return place;
+  return resolved(path);
 }
 
 std::string path_for_whole_results(const std::string& path) {
-  const std::string place = results_path(path, "must be a file that can be replaced"), unfinished = place + ".part";
+  const std::string place = results_path(path), unfinished = place + ".part";
   if (std::filesystem::exists(unfinished))
     throw InputError(
         "output", "", path,

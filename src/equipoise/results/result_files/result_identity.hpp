@@ -46,7 +46,7 @@ void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y);
 
 /// The path of results requested at `path`, with links followed. Throws InputError unless it can be written, and is a
 /// regular file or does not exist yet.
-std::string results_path(const std::string& path, const std::string& allowed);
+std::string results_path(const std::string& path);
 /// The same for results that are written whole and replace an old file. Also throws next to unfinished results.
 std::string path_for_whole_results(const std::string& path);
 
