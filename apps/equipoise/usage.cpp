@@ -131,14 +131,12 @@ bool same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-// Results in NetCDF are exempt: a command goes on with those that are there, or refuses them.
 void refuse_same_files(const CLI::App& command) {
   std::vector<std::pair<const CLI::Option*, std::string>> files;
   for (const CLI::Option* option : command.get_options()) {
     const std::string type = option->get_type_name();
     if (!type.starts_with("FILE") && !type.starts_with("STUDY")) continue;
     for (const std::string& value : option->results()) {
-      if (value.ends_with(".nc")) continue;
       for (const auto& [other, path] : files)
         if (other != option && same_file(path, value))
           throw InputError(name_of(*option), "", display_text(value),

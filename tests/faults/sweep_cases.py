@@ -86,7 +86,7 @@ def sweep_shards(bench):
     merged = bench.path("merged.nc")
     done = bench.run("merge", *paths[:2], "-o", merged)
     expect(done.code == 0 and b"PARTIAL" in done.out, f"{done}: two of three shards are not all")
-    done = bench.run("merge", merged, paths[2], paths[0], "-o", merged)
+    done = bench.run("merge", paths[2], paths[0], "-o", merged)
     expect(done.code == 0 and content(merged) == sweep.content, f"{done}: merged shards are another file")
     other = bench.path("other.nc")
     expect(bench.run(*sweep.arguments, "--seed", 2, "--shard", "1/3", "-o", other).code == 0, "no other sweep")
