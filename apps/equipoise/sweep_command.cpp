@@ -135,7 +135,9 @@ struct MergeArguments : ResultForms {
 
 int run_merge(const MergeArguments& a) {
   check_forms(a);
-  const SweepResult result = merge_sweeps(a.files, a.output);
+  RunOptions options;
+  options.notice = [](const std::string& sentence) { say(sentence); };
+  const SweepResult result = merge_sweeps(a.files, a.output, options);
   put_sweep(a, result, [&] { return given_machine(result.study); });
   return done;
 }

@@ -34,7 +34,8 @@ Kept<SweepResult> run_sweep(const PyStudy& s, const std::vector<std::string>& ov
 }
 
 Kept<SweepResult> merge(const std::vector<std::string>& files, const std::string& output) {
-  return {Call::run([&] { return merge_sweeps(files, output); })};
+  CallWith<> call{py::dict()};
+  return call.keep([&] { return merge_sweeps(files, output, call.options); });
 }
 
 Kept<CapacityResult> find_capacity(const PyStudy& s, const std::string& of, const std::string& between, double at_least,

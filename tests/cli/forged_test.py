@@ -85,6 +85,27 @@ class Forged(Case):
             self.assertTrue(os.path.exists(part), command)
             self.assertEqual(content(part), before, command)
 
+    def test_a_merge_says_what_is_damaged_and_replaces_none_of_its_files(self):
+        sweep = self.path("sweep.nc")
+        done = run("sweep", *EASY, "--over", "speed.final=2.4,2.5", "--starts", "2", "-o", sweep, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        data, name = content(sweep), b"\0\0\0\x08identity\0\0\0\x02"
+        at = data.index(name) + len(name) + 4
+        identity = data[at:at + struct.unpack(">I", data[at - 4:at])[0]]
+        part = self.path("cut.nc.part")
+        with open(part, "wb") as file:
+            file.write(struct.pack("<QQQ", 0x314C4E524A505145, len(identity), checksum(identity)) + identity + bytes(500))
+        done = run("merge", part, "-o", self.path("o.nc"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("cut.nc.part: 500 bytes are damaged or cut off", done.stderr)
+        self.assertIn("500 bytes are damaged or cut off", run("inspect", part).stdout)
+        self.refused(run("merge", sweep, part, "-o", sweep), "same file as FILE")
+        self.assertEqual(content(sweep), data)
+        with open(part, "r+b") as file:
+            file.seek(30)
+            file.write(b"!")
+        self.refused(run("merge", part, "-o", self.path("o2.nc")), "cut.nc.part", "0 sound records behind it")
+
     def test_nothing_in_the_network_is_opened(self):
         for command in ("inspect", "compare", "merge"):
             place = "http://127.0.0.1:9/result.nc"

@@ -47,8 +47,9 @@ void require_cell(const SweepResult& sweep, std::size_t cell, const std::string&
 
 }  // namespace
 
-SweepResult stored_sweep(const std::string& path) {
+SweepResult stored_sweep(const std::string& path, const RunOptions& options) {
   const StoredSweep stored = read_sweep(path);
+  give_notice(options, stored.loss);
   SweepResult result = asked_for(stored.identity, path);
   for (const auto& [k, cell] : stored.cells) {
     require_cell(result, k, path);
@@ -59,13 +60,15 @@ SweepResult stored_sweep(const std::string& path) {
   return result;
 }
 
-SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output) {
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output, const RunOptions& options) {
   if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
   const std::string identity = read_sweep(files.front()).identity;
   SweepResult result = asked_for(identity, files.front());
   const auto into = io::open_sweep_file(output, identity, result.cells);
+  give_notice(options, into->loss());
   for (const std::string& path : files) {
     const StoredSweep part = read_sweep(path);
+    give_notice(options, part.loss);
     if (const std::string how = io::difference(part.identity, identity); !how.empty())
       throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
     for (const auto& [k, cell] : part.cells) {

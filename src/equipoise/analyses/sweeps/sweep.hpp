@@ -27,11 +27,13 @@ Survey sweep_survey(const SweepPlan& plan);
 /// the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
 
-/// Reads a sweep's file, or its unfinished part (.part), as a result. Throws InputError for other or damaged files.
-SweepResult stored_sweep(const std::string& path);
+/// Reads a sweep's file, or its unfinished part (.part), as a result. A notice says what is damaged in a part. Throws
+/// InputError for other or damaged files.
+SweepResult stored_sweep(const std::string& path, const RunOptions& options = {});
 
-/// Merges the files of shards, or of any runs of one sweep, into `output`. Throws InputError if they do not belong to
-/// one sweep, or are damaged.
-SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output);
+/// Merges the files of shards, or of any runs of one sweep, into `output`, with notices as above. Throws InputError if
+/// they do not belong to one sweep, or are damaged.
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output,
+                         const RunOptions& options = {});
 
 }  // namespace equipoise

@@ -195,7 +195,9 @@ void write_sweep_file(const std::string& path, const SweepResult& result) {
 
 StoredSweep read_sweep(const std::string& path) {
   StoredSweep sweep;
-  sweep.identity = io::CellFile(sweep_kind, path, taken_into(sweep.cells)).identity();
+  const io::CellFile file(sweep_kind, path, taken_into(sweep.cells));
+  sweep.identity = file.identity();
+  sweep.loss = file.loss();
   return sweep;
 }
 

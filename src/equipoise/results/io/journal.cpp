@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/plural.hpp"
 #include "equipoise/results/io/checksum.hpp"
 #include "equipoise/results/io/replacement.hpp"
 
@@ -45,6 +46,12 @@ std::optional<RecordHeader> fitting_header(const DiskFile& file, std::uint64_t b
   return header;
 }
 
+std::uint64_t sum_of(const std::string& text) {
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return sum.value();
+}
+
 bool is_sound(const DiskFile& file, std::uint64_t begin, const RecordHeader& header) {
   Checksum sum;
   sum.add(&header, summed);
@@ -67,6 +74,7 @@ Journal::Journal(const std::string& path, const std::string& output, const std::
     throw;
   }
   spoilt_ = size > end_;
+  if (mended_) (void)file_.write_at(0, header().data(), header().size());
 }
 
 Journal::Journal(const std::string& path) : path_(path), only_reads_(true) {
@@ -100,31 +108,51 @@ void Journal::open_locked(const std::string& output) {
 void Journal::read_header(const std::string& identity, std::uint64_t size) {
   FileHeader header;
   const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
-  if (!file_.read_at(0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
-    throw InputError(path_, "", "", "is not a file of results (.nc, .nc.part), or is damaged; must be another file");
-  const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
-  if (begun) {  // new, or its writer was killed at once
+  if (!file_.read_at(0, &header, there)) throw RunError(path_ + ": cannot be read");
+  const auto text = [&](std::uint64_t bytes) {
+    std::string read(std::min(bytes, size - there), '\0');
+    return file_.read_at(there, read.data(), read.size()) ? read : "";
+  };
+  const bool marked = std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) == 0;
+  identity_ = text(header.bytes);
+  const bool sound =
+      marked && there == sizeof header && header.bytes == identity_.size() && header.checksum == sum_of(identity_);
+  if (!sound) {
+    const bool cut = header.bytes == identity.size() && size - there < header.bytes;
+    const bool begun = marked && (there < sizeof header || cut);
     identity_ = identity;
-    return;
+    if (begun) {  // new, or its writer was killed at once
+      lost_ = size;
+      return;
+    }
+    // Damage in one place leaves either the identity's text or its checksum.
+    const bool summed_up = header.bytes == identity.size() && header.checksum == sum_of(identity);
+    mended_ = !identity.empty() && there == sizeof header && (summed_up || text(identity.size()) == identity);
   }
-  identity_.resize(std::min(header.bytes, size - there));
-  Checksum sum;
-  const bool read = file_.read_at(sizeof header, identity_.data(), identity_.size());
-  sum.add(identity_.data(), identity_.size());
-  if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
-    throw InputError(path_, "", "", "is damaged in the part that names its results; remove it first");
-  end_ = sizeof header + header.bytes;
+  end_ = sizeof header + identity_.size();
+  if (sound || mended_) return;
+  if (!marked)
+    throw InputError(path_, "", "", "is not a file of results (.nc, .nc.part), or is damaged; must be another file");
+  end_ = sizeof header;
+  read_records(size);
+  throw InputError(
+      path_, "", "",
+      fmt::format("is damaged in the part that names its results, with {} sound record{} behind it; must be "
+                  "given to the command that wrote it, or renamed",
+                  records_.size(), plural(records_.size())));
+}
+
+std::vector<char> Journal::header() const {
+  const FileHeader header{file_mark, identity_.size(), sum_of(identity_)};
+  std::vector<char> bytes(sizeof header + identity_.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, identity_.data(), identity_.size());
+  return bytes;
 }
 
 // Brings the file and its name to disk before any result relies on them.
 void Journal::write_header() {
-  Checksum sum;
-  sum.add(identity_.data(), identity_.size());
-  const FileHeader header{file_mark, identity_.size(), sum.value()};
-  std::vector<char> bytes(sizeof header + identity_.size());
-  std::memcpy(bytes.data(), &header, sizeof header);
-  std::memcpy(bytes.data() + sizeof header, identity_.data(), identity_.size());
-  write(bytes);
+  write(header());
   sync();
   (void)to_disk(std::filesystem::path(path_).parent_path().string());
 }
@@ -165,11 +193,11 @@ void Journal::read_records(std::uint64_t size) {
 }
 
 std::string Journal::loss() const {
-  return lost_ == 0 ? ""
-                    : fmt::format(
-                          "{}: {} bytes are damaged or cut off; all other records are used, and what is lost is "
-                          "computed again",
-                          path_, lost_);
+  std::string text = mended_ ? "the part that names its results was damaged, and is written again" : "";
+  if (lost_ > 0)
+    text += fmt::format("{}{} bytes are damaged or cut off; what they held is lost, and all other records are used",
+                        text.empty() ? "" : "; ", lost_);
+  return text;
 }
 
 void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
@@ -177,13 +205,27 @@ void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes
     throw RunError(path_ + ": cannot be read");
 }
 
+// None behind a header that is no longer the same.
+std::size_t Journal::sound_records() const {
+  std::vector<char> begin = header();
+  if (!file_.read_at(0, begin.data(), begin.size()) || begin != header()) return 0;
+  return static_cast<std::size_t>(std::count_if(records_.begin(), records_.end(), [this](const Record& record) {
+    const std::uint64_t at = record.payload - sizeof(RecordHeader);
+    const auto there = fitting_header(file_, at, record.end());
+    return there && there->bytes == record.bytes && is_sound(file_, at, *there);
+  }));
+}
+
+std::string Journal::kept() const {
+  const std::lock_guard lock(appending_);
+  if (records_.empty()) return "nothing is kept yet";
+  if (const std::size_t sound = sound_records(); sound < records_.size())
+    return fmt::format("{} of its {} records are kept", sound, records_.size());
+  return fmt::format("what was computed is kept in {}, and the same command resumes from it", path_);
+}
+
 void Journal::require_sound() const {
-  for (const Record& record : records_) {
-    const std::uint64_t begin = record.payload - sizeof(RecordHeader);
-    const auto header = fitting_header(file_, begin, record.end());
-    if (!header || header->bytes != record.bytes || !is_sound(file_, begin, *header))
-      throw RunError(fmt::format(changed_by_another, path_));
-  }
+  if (sound_records() < records_.size()) throw RunError(fmt::format(changed_by_another, path_));
 }
 
 Journal::Record Journal::append(Record record, const void* payload, std::size_t bytes) {

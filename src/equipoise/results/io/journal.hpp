@@ -36,8 +36,9 @@ class Journal {
     std::uint64_t end() const { return payload + bytes; }
   };
 
-  /// Opens or creates `path` for results of `output`. `identity`: of the results in a new journal. Throws InputError if
-  /// the file cannot be written, is used by another process, or is no journal.
+  /// Opens or creates `path` for results of `output`. `identity`: of the results in a new journal, and in one whose
+  /// damaged header still shows that they are its results; that header is written again. Throws InputError if the file
+  /// cannot be written, is used by another process, or is no journal.
   Journal(const std::string& path, const std::string& output, const std::string& identity);
   /// Only reads: the file stays as it is, whatever is in it, and another process may go on writing. Throws InputError
   /// if it cannot be read or is no journal.
@@ -51,9 +52,7 @@ class Journal {
   const std::string& identity() const { return identity_; }
   /// The undamaged records.
   const std::vector<Record>& records() const { return records_; }
-  /// Bytes behind the header that belong to no sound record.
-  std::uint64_t lost_bytes() const { return lost_; }
-  /// What is damaged, in words; empty if nothing is.
+  /// What is damaged, in words that follow the file's name; empty if nothing is.
   std::string loss() const;
   /// Reads part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
@@ -61,6 +60,8 @@ class Journal {
   /// Throws RunError unless all records are on disk as they were written: another program may have cut or changed the
   /// file.
   void require_sound() const;
+  /// How much of it is there, in words, after an error.
+  std::string kept() const;
 
   /// Appends a record, first cutting off any damage. The record survives a kill at once, and is on disk within about a
   /// second of work. Returns it with its place. Throws RunError if the disk is full, and keeps the earlier records.
@@ -74,6 +75,8 @@ class Journal {
  private:
   void open_locked(const std::string& output);
   void read_header(const std::string& identity, std::uint64_t size);
+  std::vector<char> header() const;
+  std::size_t sound_records() const;
   void write_header();
   void read_records(std::uint64_t size);
   std::uint64_t next_mark(std::uint64_t from, std::uint64_t size) const;
@@ -84,10 +87,11 @@ class Journal {
   DiskFile file_;
   std::uint64_t end_ = 0;   ///< after the last whole record
   std::uint64_t lost_ = 0;  ///< bytes between the records and behind them
+  bool mended_ = false;     ///< the header was damaged and is written again
   bool spoilt_ = false;     ///< invalid bytes follow
   bool only_reads_ = false;
   std::vector<Record> records_;
-  std::mutex appending_;
+  mutable std::mutex appending_;
   std::chrono::steady_clock::time_point synced_;
   std::chrono::steady_clock::duration sync_took_{};
 };

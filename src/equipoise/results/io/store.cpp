@@ -77,11 +77,16 @@ std::vector<Journal::Record> Store::records() const {
   return records;
 }
 
+std::string Store::loss() const {
+  const std::string damage = journal_ ? journal_->loss() : "";
+  return damage.empty() ? "" : fmt::format("{}: {}", part_, damage);
+}
+
 Journal::Record Store::append(const Journal::Record& record, const void* payload, std::size_t bytes) {
   try {
     return journal_->append(record, payload, bytes);
   } catch (const RunError& e) {
-    throw RunError(fmt::format("{}; what was computed before is kept, and the same command resumes from it", e.what()));
+    throw RunError(fmt::format("{}; {}", e.what(), journal_->kept()));
   }
 }
 
@@ -90,8 +95,7 @@ void Store::finish(const std::function<void(const std::string&)>& write, Rest re
     journal_->require_sound();
     write(path_);
   } catch (const RunError& e) {
-    throw RunError(
-        fmt::format("{}; what was computed is kept in {}.part and put in place by the same command", e.what(), path_));
+    throw RunError(fmt::format("{}; {}", e.what(), journal_->kept()));
   }
   if (rest == Rest::nothing) journal_->remove();
   if (rest == Rest::notes) journal_->keep_only(Journal::Kind::note);

@@ -34,8 +34,8 @@ class Store {
   const NetcdfFile* results() const { return results_ ? &*results_ : nullptr; }
   /// Whether they say that nothing is missing.
   bool says_complete() const { return results_ && results_->attribute("complete") == "yes"; }
-  /// What damage has taken from the journal, in words; empty if nothing.
-  std::string loss() const { return journal_->loss(); }
+  /// What is damaged in the journal, in words; empty if nothing.
+  std::string loss() const;
   /// The search log of earlier runs that did not finish.
   SearchLog& notes() { return notes_; }
 

@@ -113,9 +113,7 @@ void read_unfinished(Inspection& i) {
     if (done[kind] > 0)
       i.facts.emplace_back(fact, fmt::format("{}{}", kind == Kind::starts ? "up to number " : "", done[kind]));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
-  if (journal.lost_bytes() > 0)
-    i.damage = fmt::format("{} bytes are damaged or cut off; all other records are sound and will be used",
-                           journal.lost_bytes());
+  i.damage = journal.loss();
 }
 
 bool is_netcdf(const std::string& path) {
