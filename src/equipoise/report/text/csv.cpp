@@ -1,11 +1,8 @@
 // Numbers, texts and studies in CSV.
 #include "equipoise/report/text/csv.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -15,14 +12,9 @@ namespace equipoise {
 
 namespace {
 
-// For a spreadsheet: all that begins so, except for a number with its unit.
+// For a spreadsheet: all that begins so, except for a plain number.
 bool is_formula(const std::string& text) {
-  if (text.find_first_of("=+-@\t\r") != 0) return false;
-  double number = 0.0;
-  const char *const end = text.data() + text.size(), *const begin = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto read = read_number(begin, end, number);
-  return read.error != std::errc() ||
-         std::any_of(read.end, end, [](char c) { return std::strchr("=+-@|!(", c) != nullptr; });
+  return text.find_first_of("=+-@\t\r\n") == 0 && !number_of_all(text.substr(text.front() == '+' ? 1 : 0));
 }
 
 }  // namespace
