@@ -8,7 +8,7 @@ import re
 import shutil
 import struct
 
-from forged import checksum, dimension, forge, replaced
+from forged import WORD, checksum, dimension, forge, replaced
 from program import EASY, Case, content, main, picture_of, run, text_of
 
 # A name (CBOR: eight letters) as long as that of the motion it replaces, with what means something to a shell, a terminal or a page.
@@ -30,6 +30,13 @@ class Forged(Case):
         self.assertFalse(os.path.exists(self.path("P")), "a name from a file was run")
         self.assertNotIn("\x1b", done.stdout + done.stderr)
 
+    def damaged(self, path, words):
+        """What other commands refuse is no complete result."""
+        done = run("inspect", path)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn(words, done.stdout)
+        self.assertNotIn(", complete", done.stdout)
+
     def test_a_sweep(self):
         sweep, forged = self.path("sweep.nc"), self.path("forged.nc")
         done = run("sweep", *EASY, "--over", "speed.final=2.4,2.5", "--starts", "20", "-o", sweep, "--quiet")
@@ -45,8 +52,11 @@ class Forged(Case):
         self.harmless(run("inspect", forged, cwd=self.folder))
         forge(sweep, forged, lambda data: re.sub(rb"\x62by[\x00-\x02]", b"\x62by\x17", data))
         self.refused(run("merge", forged, "-o", self.path("out2.nc")), "forged.nc", "record 1", "share.by is out of range: 23")
-        forge(sweep, forged, replaced(b"\x68outcomes\x81", b"\x68outcomes\x80"))
-        self.refused(run("merge", forged, "-o", self.path("out3.nc")), "forged.nc")
+        for change, words in ((replaced(b"\x68outcomes\x81", b"\x68outcomes\x80"), "is not a record"),
+                              (lambda data: re.sub(rb"(?s)\x65share\xfa....", b"\x65share\xfa\x7f\xc0\0\0", data), "share is nan")):
+            forge(sweep, forged, change)
+            self.refused(run("merge", forged, "-o", self.path("out3.nc")), "forged.nc", words)
+            self.damaged(forged, words)
 
     def test_a_map(self):
         plot = ("--size", "16x16", "--quiet")
@@ -71,6 +81,7 @@ class Forged(Case):
         self.assertEqual(run("basin", *EASY, "--starts", "20", "-o", whole, "--quiet").returncode, 0)
         forge(whole, forged, replaced(struct.pack(">20h", *[1] * 20), struct.pack(">20h", *[1] * 19, 77)))
         self.refused(run("compare", forged, forged), "forged.nc", "start 19", "outcome 77")
+        self.damaged(forged, "start 19 has outcome 77")
         forge(whole, forged, replaced(b"damping", b"d\x1b]0;ab"))
         self.harmless(run("inspect", forged))
 
@@ -101,10 +112,17 @@ class Forged(Case):
         self.assertIn("500 bytes are damaged or cut off", run("inspect", part).stdout)
         self.refused(run("merge", sweep, part, "-o", sweep), "same file as FILE")
         self.assertEqual(content(sweep), data)
+        beyond = struct.pack("<QQQQddQ", 0x3144524F43455245, 4, WORD, 1, 0.0, 0.0, 8) + b"anything"
+        with open(part, "wb") as file:
+            file.write(struct.pack("<QQQ", 0x314C4E524A505145, len(identity), checksum(identity)) + identity)
+            file.write(beyond[:56] + struct.pack("<Q", checksum(beyond)) + beyond[56:])
+        words = f"it holds a cell {WORD} of 2 cells"
+        self.refused(run("merge", part, "-o", self.path("o3.nc")), "cut.nc.part", words)
+        self.damaged(part, words)
         with open(part, "r+b") as file:
             file.seek(30)
             file.write(b"!")
-        self.refused(run("merge", part, "-o", self.path("o2.nc")), "cut.nc.part", "0 sound records behind it")
+        self.refused(run("merge", part, "-o", self.path("o2.nc")), "cut.nc.part", "1 sound record behind it")
 
     def test_nothing_in_the_network_is_opened(self):
         for command in ("inspect", "compare", "merge"):

@@ -527,6 +527,23 @@ TEST_F(Files, AJournalCutByAnotherProgramIsNotedBeforeItIsUsed) {
   EXPECT_THROW(journal.require_sound(), RunError);
 }
 
+TEST_F(Files, AJournalWithAnImpossibleOutcomeIsRefusedByItsName) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 6);
+    StartArrays wrong;
+    wrong.starts = 1;
+    wrong.phi = {0.0, 1.0};
+    wrong.outcome = {-77};
+    wrong.decision_time = {1.0};
+    wrong.decided_by = {0};
+    file.append(wrong, {});
+  }
+  EXPECT_NE(refusal(path_, header_of()).find("result.nc.part: is damaged: start 6 has no valid outcome"),
+            std::string::npos)
+      << refusal(path_, header_of());
+}
+
 TEST_F(Files, APipeIsNotRemoved) {
   ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
   ASSERT_EQ(mkfifo(part_.c_str(), 0600), 0);

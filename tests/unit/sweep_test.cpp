@@ -227,6 +227,9 @@ TEST(SweepCells, SayWhereARecordIsWrong) {
   EXPECT_EQ(problem("/outcomes/0", 3), "outcomes[0] has no members");
   EXPECT_EQ(problem("/outcomes/0/name", 3), "outcomes[0].name is no text");
   EXPECT_EQ(problem("/outcomes/0/left_unbalance", {0.1}), "outcomes[0].left_unbalance has 1 entries instead of 4");
+  EXPECT_EQ(problem("/outcomes/0/share/share", NAN), "outcomes[0].share.share is nan instead of a number from 0 to 1");
+  EXPECT_EQ(problem("/undecided/most", 1.5), "undecided.most is 1.5 instead of a number from 0 to 1");
+  EXPECT_EQ(problem("/outcomes/0/r_max", INFINITY), "outcomes[0] has a figure that is not finite");
   EXPECT_EQ(problem("/outcomes/0/share/by", 3), "outcomes[0].share.by is out of range: 3");
   EXPECT_EQ(problem("/outcomes/0/share/by", -1), "outcomes[0].share.by is out of range: -1");
   EXPECT_EQ(problem("/outcomes/0/id", 1LL << 40), "outcomes[0].id is out of range: 1099511627776");
@@ -236,6 +239,9 @@ TEST(SweepCells, SayWhereARecordIsWrong) {
   EXPECT_EQ(problem("/undecided/low", "0"), "undecided.low is no number");
   EXPECT_EQ(problem("/transients/figures", Json::array()),
             fmt::format("transients.figures has 0 entries instead of {}", transient_figures.size()));
+  Json lines = sound;
+  lines["note"] = "one\ntwo";
+  EXPECT_EQ(io::cell_from(Json::to_cbor(lines)).note, "one\\u000Atwo");
   Json without = sound;
   without.erase("failed");
   EXPECT_THROW((void)io::cell_from(Json::to_cbor(without)), RunError);
@@ -271,6 +277,7 @@ TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
   const io::IdentityLines lines(plan.identity());
   EXPECT_EQ(lines.over(), (std::vector<std::string>{"speed.final=2.4, 2.6", "balancer.drag=0.1"}));
   EXPECT_EQ(lines.value("sweep.axes"), "2");
+  EXPECT_EQ(lines.cells(), std::size_t{2});
   EXPECT_EQ(lines.value("transients"), "none");
   EXPECT_EQ(lines.value("rotor.damping"), "[0.5, 0.5]");
   EXPECT_EQ(lines.value("nothing"), "");

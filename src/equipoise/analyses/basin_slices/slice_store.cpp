@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 
@@ -42,8 +43,10 @@ SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& heade
   for (const auto& [code, text] : texts()) {
     if (code > static_cast<std::uint64_t>(std::numeric_limits<short>::max())) refuse(part(), "holds something else");
     const std::size_t line = std::min(text.find('\n'), text.size());
-    codes_.push_back(
-        {static_cast<short>(code), text.substr(0, line), text.substr(std::min(line + 1, text.size())), {}});
+    codes_.push_back({static_cast<short>(code),
+                      display_text(text.substr(0, line)),
+                      display_text(text.substr(std::min(line + 1, text.size()))),
+                      {}});
   }
 }
 

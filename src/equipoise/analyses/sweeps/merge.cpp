@@ -20,29 +20,26 @@ namespace equipoise {
 
 namespace {
 
+constexpr char no_sweep[] = "does not say which sweep it is of";
+
 // The inverse of SweepPlan::identity(), as far as results need it.
 SweepResult asked_for(const std::string& identity, const std::string& path) {
   SweepResult result;
   const io::IdentityLines lines(identity);
   const std::vector<std::string> over = lines.over();
   const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
-  if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
+  if (over.empty() || axes == 0) throw InputError(path, "", "", no_sweep);
   result.half_width = number_in(lines.value("sweep.half_width"));
   result.transients = lines.value("transients") != "none";
   result.study = parse_kept_study(lines.study, path);
   result.axes = sweep_axes(over, axes < over.size(), path);
   std::size_t cells = 1;
   for (const SweepAxis& axis : result.axes) cells *= axis.size();
+  if (cells != lines.cells()) throw InputError(path, "", "", no_sweep);
   result.identity = identity;
   result.cells.resize(cells);
   result.cpu_target = cpu_target();
   return result;
-}
-
-void require_cell(const SweepResult& sweep, std::size_t cell, const std::string& path) {
-  if (cell >= sweep.cells.size())
-    throw InputError(path, "", "",
-                     fmt::format("is damaged: it holds a cell {} of a sweep of {} cells", cell, sweep.cells.size()));
 }
 
 }  // namespace
@@ -51,10 +48,7 @@ SweepResult stored_sweep(const std::string& path, const RunOptions& options) {
   const StoredSweep stored = read_sweep(path);
   give_notice(options, stored.loss);
   SweepResult result = asked_for(stored.identity, path);
-  for (const auto& [k, cell] : stored.cells) {
-    require_cell(result, k, path);
-    result.cells[k] = cell;
-  }
+  for (const auto& [k, cell] : stored.cells) result.cells[k] = cell;
   for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
   label_attractors(result.axes, result.cells);
   return result;
@@ -72,7 +66,6 @@ SweepResult merge_sweeps(const std::vector<std::string>& files, const std::strin
     if (const std::string how = io::difference(part.identity, identity); !how.empty())
       throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
     for (const auto& [k, cell] : part.cells) {
-      require_cell(result, k, path);
       if (result.cells[k]) continue;
       into->append(k, io::bytes_of(*cell));
       result.cells[k] = cell;

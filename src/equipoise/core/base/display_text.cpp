@@ -11,10 +11,11 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
-// U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069: what follows may be shown in another order.
-bool changes_direction(unsigned lead, unsigned next, unsigned last) {
+// U+2028, U+2029: another line. U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069: what follows may be shown in
+// another order.
+bool moves_text(unsigned lead, unsigned next, unsigned last) {
   if (lead != 0xE2) return false;
-  return (next == 0x80 && (last == 0x8E || last == 0x8F || (last >= 0xAA && last <= 0xAE))) ||
+  return (next == 0x80 && (last == 0x8E || last == 0x8F || (last >= 0xA8 && last <= 0xAE))) ||
          (next == 0x81 && last >= 0xA6 && last <= 0xA9);
 }
 
@@ -46,7 +47,7 @@ std::string display_text(std::string_view text, std::size_t longest) {
       shown += fmt::format("\\u{:04X}", lead);
     else if (length == 2 && lead == 0xC2 && next < 0xA0)  // also control characters
       shown += fmt::format("\\u{:04X}", next);
-    else if (length == 3 && changes_direction(lead, next, byte_at(text, at + 2)))
+    else if (length == 3 && moves_text(lead, next, byte_at(text, at + 2)))
       shown += fmt::format("\\u{:04X}", (lead & 0x0F) << 12 | (next & 0x3F) << 6 | (byte_at(text, at + 2) & 0x3F));
     else
       shown += text.substr(at, length);

@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// Valid UTF-8 on one line. Other bytes become U+FFFD. Control characters, and those that change the direction of
-/// writing, become escapes such as \u001B. What is longer is cut at a whole character and ends in "...".
+/// Valid UTF-8 on one line. Other bytes become U+FFFD. Control characters, and those that begin a line or change the
+/// direction of writing, become escapes such as \u001B. What is longer is cut at a whole character and ends in "...".
 std::string display_text(std::string_view text, std::size_t longest = std::string_view::npos);
 /// The same of what a message quotes.
 inline constexpr std::size_t longest_shown = 60;

@@ -39,7 +39,7 @@ void require_identity(const std::string& path, const char* command, const std::s
   if (!std::filesystem::exists(place)) return;
   std::string there;
   try {
-    there = io::NetcdfFile(place, io::NetcdfFile::Mode::read, path).attribute(command);
+    there = io::NetcdfFile(place, io::NetcdfFile::Mode::read, path).lines(command);
   } catch (const RunError&) {
   }
   if (there.empty()) throw InputError(path, "", "", fmt::format("holds no {}; {}", kind, allowed));

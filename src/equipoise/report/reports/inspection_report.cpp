@@ -5,12 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/text/json.hpp"
 
 namespace equipoise {
 
 std::string inspection_text(const Inspection& i) {
-  std::string text = fmt::format("{}: {}, {} bytes", i.path, i.kind.empty() ? "results" : i.kind, i.bytes);
+  std::string text =
+      fmt::format("{}: {}, {} bytes", display_text(i.path), i.kind.empty() ? "results" : i.kind, i.bytes);
   if (!i.version.empty()) text += fmt::format(", of equipoise {}", i.version);
   if (i.complete) text += *i.complete ? ", complete" : ", NOT complete";
   text += "\n";

@@ -14,7 +14,6 @@ namespace equipoise {
 
 namespace {
 
-constexpr io::CellFileKind capacity_kind{"capacity", io::Journal::Kind::trial};
 void add_boundaries(io::CellDataset& data, const std::string& unit, const CapacityResult& result) {
   const auto add = [&](const char* name, const std::string& units, const std::string& meaning,
                        double (*value)(const CapacityCell&)) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
 
 namespace equipoise::io {
 
@@ -21,24 +22,33 @@ Store::Words words_of(const CellFileKind& kind) {
 CellFile::CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
                    const Take& take)
     : Store(path, identity, words_of(kind)), kind_(kind) {
-  reading([&] {
-    if (!results()) return;
-    if (const std::size_t there = results()->length("cell"); there != cells)
-      refuse(this->path(), fmt::format("holds {} cells", there));
-    read_results(take);
-  });
-  read_journal(cells, take);
+  read_all(cells, take);
 }
 
 CellFile::CellFile(const CellFileKind& kind, const std::string& path, const Take& take)
     : Store(path, words_of(kind)), kind_(kind) {
   reading([&] {
-    if (!results()) return;
-    if (results()->attribute("kind") != kind.name)
+    if (results() && results()->attribute("kind") != kind.name)
       throw InputError(path, "", "", fmt::format("holds no {0}; must be what \"{0} -o\" wrote", kind.name));
+  });
+  const std::size_t none = results() ? results()->length("cell") : std::numeric_limits<std::size_t>::max();
+  read_all(IdentityLines(this->identity()).cells().value_or(none), take);
+}
+
+void CellFile::read_all(std::size_t cells, const Take& take) {
+  reading([&] {
+    if (!results()) return;
+    if (const std::size_t there = results()->length("cell"); there != cells)
+      refuse(path(), fmt::format("is damaged: it holds {} cells instead of {}", there, cells));
     read_results(take);
   });
-  read_journal(std::numeric_limits<std::size_t>::max(), take);
+  for (const Journal::Record& record : records()) {
+    if (record.kind != kind_.record) refuse(part(), "holds something else");
+    if (record.first >= cells)
+      refuse(part(), fmt::format("is damaged: it holds a cell {} of {} cells", record.first, cells));
+    take_sound(part(), take, record.first, payload<std::vector<std::uint8_t>>(record));
+    changed_ = true;
+  }
 }
 
 void CellFile::take_sound(const std::string& file, const Take& take, std::size_t cell,
@@ -64,14 +74,6 @@ void CellFile::read_results(const Take& take) const {
     results()->read(records, {begin}, {record.size()}, record.data());
     take_sound(path(), take, cell, record);
     begin = end;
-  }
-}
-
-void CellFile::read_journal(std::size_t cells, const Take& take) {
-  for (const Journal::Record& record : records()) {
-    if (record.kind != kind_.record || record.first >= cells) refuse(part(), "holds something else");
-    take_sound(part(), take, record.first, payload<std::vector<std::uint8_t>>(record));
-    changed_ = true;
   }
 }
 

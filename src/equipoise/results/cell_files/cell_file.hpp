@@ -2,21 +2,30 @@
 // This room: files of surveys, cell by cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/io/store.hpp"
 
 namespace equipoise::io {
 
 /// A kind of cell file.
 struct CellFileKind {
-  const char* name;      ///< "sweep": attribute of the finished file, and in messages
-  Journal::Kind record;  ///< kind of record in the unfinished file
+  const char* name;                                        ///< "sweep": attribute of the finished file, and in messages
+  Journal::Kind record;                                    ///< kind of record in the unfinished file
+  void (*check)(const std::vector<std::uint8_t>& record);  ///< throws RunError unless it is one of its records
 };
+inline constexpr CellFileKind sweep_kind{"sweep", Journal::Kind::cell, [](const auto& r) { (void)cell_from(r); }};
+inline constexpr CellFileKind capacity_kind{"capacity", Journal::Kind::trial,
+                                            [](const auto& r) { (void)trials_from(r); }};
+inline constexpr CellFileKind design_kind{"design", Journal::Kind::ensemble,
+                                          [](const auto& r) { (void)sample_from(r); }};
+inline constexpr std::array cell_file_kinds{sweep_kind, capacity_kind, design_kind};
 
 /// A store of records, one or more per cell. The finished results also hold each cell's record (cell_dataset.hpp),
 /// in addition to what others read.
@@ -28,7 +37,8 @@ class CellFile : public Store {
   /// finished file first. Throws like Store.
   CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
            const Take& take);
-  /// Only reads a file of results or its unfinished part. Throws InputError for other or damaged files.
+  /// Only reads a file of results or its unfinished part. Throws InputError for other or damaged files; a cell beyond
+  /// the grid of the identity is damage.
   CellFile(const CellFileKind& kind, const std::string& path, const Take& take);
 
   void append(std::size_t cell, const std::vector<std::uint8_t>& record);
@@ -36,8 +46,8 @@ class CellFile : public Store {
   void finish(const std::function<void(const std::string& path)>& write, Rest rest);
 
  private:
+  void read_all(std::size_t cells, const Take& take);
   void read_results(const Take& take) const;
-  void read_journal(std::size_t cells, const Take& take);
   void take_sound(const std::string& file, const Take& take, std::size_t cell,
                   const std::vector<std::uint8_t>& record) const;
 

@@ -16,8 +16,6 @@ namespace equipoise {
 
 namespace {
 
-constexpr io::CellFileKind design_kind{"design", io::Journal::Kind::ensemble};
-
 std::string variable_of(const std::string& figure) {
   std::string name;
   for (const char c : figure) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';

@@ -1,7 +1,9 @@
 // Converts records of cells to CBOR and back: maps of members by name.
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "equipoise/core/base/bytes.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 
 namespace equipoise {
 
@@ -132,10 +135,21 @@ std::string inside(const std::string& place, const char* member) {
 constexpr IntervalBy last_of(IntervalBy) { return static_cast<IntervalBy>(interval_names.size() - 1); }
 
 // What a record must be in addition to what its types say.
+void require(const Share& s, const std::string& place) {
+  for (const auto& [name, share] :
+       {std::pair{"share", s.share}, {"low", s.low}, {"high", s.high}, {"least", s.least}, {"most", s.most}})
+    if (const std::string fault = io::fault_of_share(share); !fault.empty())
+      throw Unreadable{inside(place, name), fault};
+}
 void require(const SweepOutcome& o, const std::string& place) {
   if (!o.unbalance.empty() && o.unbalance.size() != unbalance_quantiles.size())
     throw Unreadable{inside(place, "left_unbalance"),
                      fmt::format(wrong_length, o.unbalance.size(), unbalance_quantiles.size())};
+  std::vector<double> figures{o.mean_time, o.r_min.value_or(0.0), o.r_mean.value_or(0.0), o.r_max.value_or(0.0),
+                              o.period};
+  for (const auto* more : {&o.drift, &o.unbalance, &o.state}) figures.insert(figures.end(), more->begin(), more->end());
+  if (!std::all_of(figures.begin(), figures.end(), [](double figure) { return std::isfinite(figure); }))
+    throw Unreadable{place, "has a figure that is not finite"};
 }
 void require(const SweepCell& c, const std::string& place) {
   if (c.outcomes.empty()) throw Unreadable{inside(place, "outcomes"), "has no entries"};
@@ -168,7 +182,7 @@ class RecordIn {
       if (!json.is_null()) decode(json, value.emplace(), place);
     } else if constexpr (std::is_same_v<T, std::string>) {
       if (!json.is_string()) throw Unreadable{place, "is no text"};
-      value = display_lines(json.get_ref<const std::string&>());
+      value = display_text(json.get_ref<const std::string&>());
     } else if constexpr (is_list<T>) {
       decode_list(json, value, place);
     } else if constexpr (std::is_enum_v<T>) {

@@ -18,7 +18,6 @@ namespace equipoise {
 
 namespace {
 
-constexpr io::CellFileKind sweep_kind{"sweep", io::Journal::Kind::cell};
 // The last record of a cell counts.
 template <class Cells>
 io::CellFile::Take taken_into(Cells& cells) {
@@ -195,7 +194,7 @@ void write_sweep_file(const std::string& path, const SweepResult& result) {
 
 StoredSweep read_sweep(const std::string& path) {
   StoredSweep sweep;
-  const io::CellFile file(sweep_kind, path, taken_into(sweep.cells));
+  const io::CellFile file(io::sweep_kind, path, taken_into(sweep.cells));
   sweep.identity = file.identity();
   sweep.loss = file.loss();
   return sweep;

@@ -137,13 +137,17 @@ void NetcdfFile::attribute(int variable, const std::string& name, int type, cons
   check(call(nc_put_att_int, id_, variable, name.c_str(), type, values.size(), values.data()), "attribute " + name);
 }
 
-std::string NetcdfFile::attribute(const std::string& name) const {
+std::string NetcdfFile::attribute(const std::string& name) const { return display_text(global_text(name)); }
+
+std::string NetcdfFile::lines(const std::string& name) const { return display_lines(global_text(name)); }
+
+std::string NetcdfFile::global_text(const std::string& name) const {
   std::size_t length = 0;
   int type = NC_NAT;
   if (call(nc_inq_att, id_, NC_GLOBAL, name.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return {};
   std::string text(length, '\0');
   check(call(nc_get_att_text, id_, NC_GLOBAL, name.c_str(), text.data()), "attribute " + name);
-  return display_lines(text);
+  return text;
 }
 
 void NetcdfFile::end_definitions() {

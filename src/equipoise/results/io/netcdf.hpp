@@ -17,6 +17,9 @@ namespace equipoise::io {
 
 int netcdf_type(DataColumn::Type type);
 
+/// Whether it is a regular file that begins as the classic formats do.
+bool is_netcdf(const std::string& path);
+
 /// Why the header of a classic NetCDF file contradicts itself or the file's length, at which the C library (4.9) takes
 /// all memory, loops or crashes; empty if the library may read it. Formats 1, 2 and 5 of the format's specification
 /// (docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html).
@@ -33,6 +36,7 @@ class NetcdfFile {
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
+  const std::string& name() const { return name_; }
   /// Length 0: an unlimited dimension; a file has at most one.
   int dimension(const std::string& name, std::size_t length);
   /// 0 if it is absent. Throws RunError if the file that is read has fewer bytes.
@@ -51,8 +55,10 @@ class NetcdfFile {
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(const std::string& name, const std::string& text);  ///< of the file
   void attribute(int variable, const std::string& name, int type, const std::vector<int>& values);
-  /// Global text attribute, as display_lines() leaves it; empty if absent.
+  /// Global text attribute, as display_text() leaves it; empty if absent.
   std::string attribute(const std::string& name) const;
+  /// The same of a text of several lines, as display_lines() leaves it.
+  std::string lines(const std::string& name) const;
   void end_definitions();
   void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
              const void* data);
@@ -66,6 +72,8 @@ class NetcdfFile {
   void check(int status, const std::string& what) const;
 
  private:
+  std::string global_text(const std::string& name) const;
+
   std::string name_;
   std::uintmax_t bytes_ = 0;  ///< of a file that is read
   bool defining_ = true;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/results/io/disk_file.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
@@ -166,6 +167,13 @@ class HeaderReader {
 };
 
 }  // namespace
+
+bool is_netcdf(const std::string& path) {
+  if (!existing(path).regular) return false;
+  std::array<char, 3> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string(begin.data(), begin.size()) == "CDF";
+}
 
 std::string netcdf_fault(const std::string& path) {
   try {

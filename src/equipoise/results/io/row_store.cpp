@@ -83,6 +83,16 @@ void RowStore::read(std::size_t column, std::uint64_t first, std::size_t count, 
   });
 }
 
+std::vector<double> RowStore::values_in(const Journal::Record& rows, std::size_t column) const {
+  std::vector<double> numbers;
+  with_type(layout_.columns[column].type, [&]<class T>(T) {
+    std::vector<T> values(rows.count * layout_.columns[column].width);
+    read_payload(rows, before_[column] * rows.count, values.size() * sizeof(T), values.data());
+    numbers.assign(values.begin(), values.end());
+  });
+  return numbers;
+}
+
 void RowStore::append_rows(Journal::Record record,
                            const std::function<double(std::size_t column, std::size_t place)>& value) {
   std::vector<char> bytes;

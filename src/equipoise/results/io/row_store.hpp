@@ -46,6 +46,8 @@ class RowStore : public Store {
   std::uint64_t finished() const { return finished_; }
   /// Where the journal has rows.
   const std::vector<Journal::Record>& new_rows() const { return rows_; }
+  /// All values of one of them in a column.
+  std::vector<double> values_in(const Journal::Record& rows, std::size_t column) const;
   /// Its texts, by number.
   const std::vector<std::pair<std::uint64_t, std::string>>& texts() const { return texts_; }
 

@@ -47,14 +47,14 @@ Store::Store(const std::string& path, const std::string& identity, const Words& 
 
 Store::Store(const std::string& path, const Words& words) : words_(words), path_(path), part_(path) {
   if (std::error_code ignored; !std::filesystem::exists(path, ignored)) throw InputError(path, "", "", "no such file");
-  if (path.ends_with(".part")) journal_.emplace(path);
+  if (!is_netcdf(path)) journal_.emplace(path);
   identity_ = journal_ ? journal_->identity() : open_results();
 }
 
 std::string Store::open_results() {
   if (const std::string damage = why_not_whole(path_); !damage.empty()) refuse(path_, damage);
   std::string identity;
-  reading([&] { identity = results_.emplace(path_, NetcdfFile::Mode::read).attribute("identity"); });
+  reading([&] { identity = results_.emplace(path_, NetcdfFile::Mode::read).lines("identity"); });
   return identity;
 }
 

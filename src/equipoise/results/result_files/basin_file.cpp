@@ -28,6 +28,13 @@ io::RowStore::Layout layout_of(const BasinFileHeader& header, const std::vector<
           .components = header.drawn.empty() ? header.variables.size() : 1};
 }
 
+// The first of the starts that has none.
+std::optional<std::size_t> without_outcome(const StartArrays& starts) {
+  for (std::size_t i = 0; i < starts.starts; ++i)
+    if (!outcome_of(starts, i)) return i;
+  return {};
+}
+
 }  // namespace
 
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header)
@@ -46,6 +53,11 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header)
   for (const auto& [number, target] : texts())
     if (!ran_on(target)) cpu_targets_.push_back(target);
   for (const io::Journal::Record& record : new_rows()) {
+    StartArrays starts;
+    starts.starts = record.count;
+    for (std::size_t k = 0; k < columns_.size(); ++k) columns_[k].take(values_in(record, k), starts);
+    if (const auto lost = without_outcome(starts))
+      refuse(part(), fmt::format("is damaged: start {} has no valid outcome", record.first + *lost));
     hold(record.first, record.count);
     time_ = {std::max(time_.seconds, record.seconds), std::max(time_.cpu_seconds, record.cpu_seconds)};
   }
@@ -108,7 +120,7 @@ std::vector<OutcomeShare> BasinFile::summary() const {
   }
   if (header_.method == SamplingMethod::random) return lines;
   for (const ShareColumn& c : share_columns) {
-    const std::vector<double> values = get(c.name, Type::real);
+    const std::vector<double> values = io::read_shares(file, std::string("kind_") + c.name);
     for (std::size_t k = 0; k < lines.size(); ++k) lines[k].share.*c.value = values[k];
   }
   const std::vector<double> effective = get("effective_starts", Type::real);
@@ -135,9 +147,8 @@ StartArrays BasinFile::read(std::uint64_t first, std::size_t count) const {
     RowStore::read(k, first, count, values.data());
     columns_[k].take(values, starts);
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (!outcome_of(starts, i))
-      throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", path(), first + i));
+  if (const auto lost = without_outcome(starts))
+    throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", path(), first + *lost));
   return starts;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <system_error>
@@ -15,7 +14,7 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_file.hpp"
-#include "equipoise/results/io/dataset_file.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/io/journal.hpp"
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
@@ -41,38 +40,40 @@ std::string kind_of(const io::NetcdfFile& file) {
   return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
 }
 
-// `before`: prefix of their variables' names.
-void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
-  i.outcomes = io::read_outcome_kinds(file, before);
-  const auto shares = io::read_column(file, before + "share", DataColumn::Type::real, {i.outcomes.size()});
-  for (std::size_t k = 0; k < shares.size(); ++k) i.outcomes[k].share.share = shares[k];
-}
-
-void count_cells(const io::NetcdfFile& file, Inspection& i) {
-  const std::size_t cells = file.length("cell");
-  const std::vector<double> ends = io::read_column(file, "record_end", DataColumn::Type::real, {cells});
-  std::size_t done = 0;
-  for (std::size_t k = 0; k < cells; ++k) done += ends[k] > (k > 0 ? ends[k - 1] : 0.0);
-  i.facts.emplace_back("cells done", fmt::format("{} of {}", done, cells));
+// Reads the records as the commands do. What those refuse is damage.
+std::set<std::size_t> sound_cells(const io::CellFileKind& kind, Inspection& i) {
+  std::set<std::size_t> cells;
+  try {
+    io::CellFile(kind, i.path, [&](std::size_t cell, const std::vector<std::uint8_t>& record) {
+      kind.check(record);
+      cells.insert(cell);
+    });
+  } catch (const InputError& e) {
+    i.damage += (i.damage.empty() ? "" : "; ") + e.wrong();
+  }
+  return cells;
 }
 
 void read_results_file(Inspection& i) {
   const io::NetcdfFile file(i.path, io::NetcdfFile::Mode::read);
   i.kind = kind_of(file);
-  const std::string source = file.attribute("source"), identity = file.attribute("identity");
+  const std::string source = file.attribute("source"), identity = file.lines("identity");
   i.version = source.starts_with("equipoise ") ? source.substr(10) : "";
   if (const std::string complete = file.attribute("complete"); !complete.empty()) i.complete = complete == "yes";
-  i.study = file.attribute("study");
+  i.study = file.lines("study");
   constexpr std::array told{"start",     "x", "y",    "value",    "attractor", "event",
                             "discovery", "t", "time", "ensemble", "front"};
   for (const char* dimension : told)
     if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
-  if (i.kind == "sweep" || i.kind == "capacity") {
-    count_cells(file, i);
+  for (const io::CellFileKind& kind : io::cell_file_kinds) {
+    if (i.kind != kind.name) continue;
+    const std::size_t done = sound_cells(kind, i).size();
+    if (const auto cells = io::IdentityLines(identity).cells())
+      i.facts.emplace_back("cells done", fmt::format("{} of {}", done, *cells));
     add_question(io::IdentityLines(identity), i);
   }
-  if (i.kind == "basin") add_outcomes(file, "kind_", i);
-  if (i.kind == "map") add_outcomes(file, "", i);
+  if (i.kind == "basin" || i.kind == "map") i.outcomes = io::read_outcome_kinds(file, i.kind == "map" ? "" : "kind_");
+  if (i.kind == "basin") io::require_outcomes(file, i.outcomes);
   for (const char* name : {"parameter", "axes", "links", "cpu_target", "seconds"})
     if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
 }
@@ -95,15 +96,16 @@ void read_unfinished(Inspection& i) {
   add_question(identity, i);
   using Kind = io::Journal::Kind;
   std::map<Kind, std::uint64_t> done;
-  std::set<std::uint64_t> cells;
   for (const io::Journal::Record& record : journal.records()) {
     std::uint64_t& count = done[record.kind];
-    if (record.kind == Kind::cell) cells.insert(record.first);
     count = record.kind == Kind::starts ? std::max(count, record.first + record.count)
-            : record.kind == Kind::cell ? cells.size()
             : record.kind == Kind::note ? count + 1
                                         : count + record.count;
   }
+  i.damage = journal.loss();
+  for (const io::CellFileKind& kind : io::cell_file_kinds)
+    if (done[kind.record] > 0)
+      if (const std::size_t cells = sound_cells(kind, i).size(); kind.record == Kind::cell) done[Kind::cell] = cells;
   for (const auto& [kind, fact] : {std::pair{Kind::starts, "starts done"},
                                    {Kind::pixels, "pixels done"},
                                    {Kind::trial, "trials done"},
@@ -113,13 +115,6 @@ void read_unfinished(Inspection& i) {
     if (done[kind] > 0)
       i.facts.emplace_back(fact, fmt::format("{}{}", kind == Kind::starts ? "up to number " : "", done[kind]));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
-  i.damage = journal.loss();
-}
-
-bool is_netcdf(const std::string& path) {
-  std::array<char, 3> begin{};
-  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-  return std::string(begin.data(), begin.size()) == "CDF";
 }
 
 }  // namespace
@@ -135,7 +130,7 @@ Inspection inspect_file(const std::string& path) {
         fmt::format(
             "cannot be read ({}); must be a file of results (.nc), or its unfinished part (.nc.part)",
             error && error != std::errc::not_supported ? unreadable_because(error.value()) : "not a regular file"));
-  if (!is_netcdf(path)) {
+  if (!io::is_netcdf(path)) {
     read_unfinished(i);
     return i;
   }
@@ -143,9 +138,12 @@ Inspection inspect_file(const std::string& path) {
   if (!i.damage.empty()) return i;
   try {
     read_results_file(i);
+  } catch (const InputError& e) {
+    i.damage = e.wrong();
   } catch (const RunError& e) {
     i.damage = e.what();
   }
+  if (!i.damage.empty()) i.complete.reset();
   return i;
 }
 

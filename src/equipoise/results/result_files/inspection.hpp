@@ -18,7 +18,7 @@ struct Inspection {
   std::string version;  ///< of the program that wrote it
   std::uint64_t bytes = 0;
   std::string damage;                                      ///< in words that follow the file's name; empty: none
-  std::optional<bool> complete;                            ///< if the file says
+  std::optional<bool> complete;                            ///< if the file says, and is not damaged
   std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
   std::vector<OutcomeShare> outcomes;  ///< for an ensemble or a basin slice; only the estimates of their shares
   std::string study;                   ///< TOML; empty if nothing could be read

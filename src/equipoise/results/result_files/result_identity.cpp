@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/io/replacement.hpp"
@@ -64,6 +65,18 @@ std::vector<std::string> IdentityLines::over() const {
   for (const auto& [key, text] : lines)
     if (key.starts_with(table)) parameters.push_back(key.substr(table.size()) + "=" + text);
   return parameters;
+}
+
+std::optional<std::size_t> IdentityLines::cells() const {
+  const std::string axes = value("sweep.axes");
+  const std::vector<std::string> parameters = over();
+  if (axes.empty()) return {};
+  std::size_t cells = 1;
+  for (const std::string& parameter : parameters) {
+    cells *= parts_of(parameter, ',').size();
+    if (axes != std::to_string(parameters.size())) break;  // they vary together
+  }
+  return cells;
 }
 
 std::string axis_text(const SliceAxis& axis) {

@@ -1,6 +1,8 @@
 // The identity of results in a file: a run may add to a file only if they share it.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,8 @@ struct IdentityLines {
   std::string value(const std::string& key) const;
   /// What a sweep varies, such as "speed.final=2.4, 2.6".
   std::vector<std::string> over() const;
+  /// How many cells a sweep or a capacity has; empty for other results.
+  std::optional<std::size_t> cells() const;
 
   std::string study;                                       ///< what stands before [file], as TOML
   std::vector<std::pair<std::string, std::string>> lines;  ///< dotted key and value, in order
