@@ -80,9 +80,9 @@ int run_simulate(const SimulateArguments& a) {
   options.stop = &stop_flag();
   const Trajectory trajectory = simulate(study, times, options);
   if (a.output.empty()) {
-    put(trajectory_csv(trajectory));
+    put(trajectory_csv(trajectory, study));
   } else if (a.output.ends_with(".csv")) {
-    write_file(a.output, trajectory_csv(trajectory));
+    write_file(a.output, trajectory_csv(trajectory, study));
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }

@@ -52,7 +52,7 @@ Trajectory from_dict(const py::dict& columns) {
 void save(const py::dict& columns, const PyStudy& s, const std::string& path) {
   const Trajectory run = from_dict(columns);
   if (path.ends_with(".csv"))
-    io::write_whole(path, trajectory_csv(run));
+    io::write_whole(path, trajectory_csv(run, s.study));
   else
     write_netcdf(path, run, to_toml(with_medians(s.study)));
 }

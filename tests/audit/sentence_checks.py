@@ -61,7 +61,7 @@ class Examination:
         at = ",".join(f"{t:.12g} s" for t in np.asarray(times) * self.unit)
         rows = list(csv.reader(self.run("simulate", path, "--at", at, "--tolerance", "1e-10", *options).splitlines()))
         values = np.array(rows[1:], dtype=float)
-        return {name: values[:, k] for k, name in enumerate(rows[0])}
+        return {name.partition(" (")[0]: values[:, k] for k, name in enumerate(rows[0])}
 
     def at_speed(self, changes):
         """The machine at its final speed from the start, its balls free."""

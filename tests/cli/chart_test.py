@@ -30,8 +30,13 @@ class Results(Case):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
         self.assertIn("Places are speed.final in rpm, balancer.drag in N m s;", " ".join(done.stdout.split()))
-        curve = answer("chart", study, *axes)["curves"][0]
+        csv = self.path("places.csv")
+        curve = answer("chart", study, *axes, "--csv", csv)["curves"][0]
         rpm = curve["x"][0] * (48000 / 12) ** 0.5 * 30 / math.pi  # omega_c
+        first = rows_of(csv)[0]
+        self.assertAlmostEqual(float(first["speed.final (rpm)"]), rpm, delta=1e-9 * rpm)
+        self.assertIn("balancer.drag (N m s)", first)
+        self.assertIn("frequency (omega_c)", first)
         self.assertIn(f" {rpm:.4g}, ", done.stdout)
         self.assertNotIn("nothing: unstable before", done.stdout)
 

@@ -61,9 +61,14 @@ class Results(Case):
             self.assertEqual(one[key], two[key], key)
 
     def test_quantities(self):
-        done = run("stability", DRIVE, "--x-range", "5000 rpm:11000 rpm", "--y-range", "0.01:0.1", "--size", "4x4", "--quiet")
+        csv = self.path("out.csv")
+        done = run("stability", DRIVE, "--x-range", "5000 rpm:11000 rpm", "--y-range", "0.01:0.1", "--size", "4x4", "--quiet", "--csv", csv)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("rpm", done.stdout)
+        rows = rows_of(csv)
+        for row, rpm in zip(rows, (5750.0, 7250.0, 8750.0, 10250.0)):
+            self.assertAlmostEqual(float(row["speed.final (rpm)"]), rpm, delta=1e-9 * rpm)
+        self.assertIn("growth (omega_c)", rows[0])
 
     def test_drag_is_a_torque_or_a_force_as_in_studies(self):
         """D = c R^2, with a race of 30 mm."""

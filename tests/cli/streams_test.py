@@ -5,6 +5,7 @@
 """
 import json
 import os
+import pty
 import signal
 import subprocess
 import time
@@ -18,6 +19,34 @@ def shell(command, **options):
     """Runs a line of bash in which $E is the program and $S a study with a quick search for attractors."""
     return subprocess.run(["bash", "-c", command], capture_output=True, text=True, errors="replace", timeout=120, check=False,
                           env={**os.environ, "E": PROGRAM, "S": " ".join(EASY)}, **options)
+
+
+class Encodings(Case):
+    def said_on_a_terminal(self, locale):
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.execve(PROGRAM, [PROGRAM, "sweep", *EASY, "--over", "speed.final=2.4,2.5", *FEW], {**os.environ, "LC_ALL": locale})
+        seen = b""
+        while True:
+            try:
+                part = os.read(terminal, 65536)
+            except OSError:
+                break
+            if not part:
+                break
+            seen += part
+        os.waitpid(pid, 0)
+        return seen
+
+    def test_a_terminal_of_another_encoding_gets_letters_for_signs(self):
+        plain, signs = (self.said_on_a_terminal(locale) for locale in ("C", "C.UTF-8"))
+        self.assertIn("±".encode(), signs)
+        self.assertTrue(plain.isascii(), plain)
+        self.assertIn(b"+-", plain)
+        piped = [subprocess.run([PROGRAM, "sweep", *EASY, "--over", "speed.final=2.4,2.5", *FEW, "--wide"], capture_output=True, check=True,
+                                env={**os.environ, "LC_ALL": locale}).stdout for locale in ("C", "C.UTF-8")]
+        for part in piped:
+            self.assertIn("±".encode(), part)
 
 
 class LostOutput(Case):

@@ -14,6 +14,7 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
+#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 
@@ -362,14 +363,15 @@ std::string json_text(const BifurcationChart& chart) {
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
       chart.complete ? "" : fmt::format("# equipoise {}: chart, PARTIAL: stopped early\n", version_string);
-  text += fmt::format("curve,kind,of,{},{}", chart.plane.x.key, chart.plane.y.key);
-  for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += std::string(",") + curve_numbers[n].name;
+  const PlaneColumns axes(chart.plane.study, chart.plane.x, chart.plane.y);
+  text += "curve,kind,of," + axes.titles;
+  for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_title(curve_numbers[n], chart.plane.study);
   text += "\n";
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {
-      text += fmt::format("{},{},{}", k + 1, curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)],
-                          chart.curves[k].of);
-      for (const CurveNumber& n : curve_numbers) text += "," + csv_number(n.value(p));
+      text += fmt::format("{},{},{},{}", k + 1, curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)],
+                          chart.curves[k].of, axes.values(p.x, p.y));
+      for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_number(curve_numbers[n].value(p));
       text += "\n";
     }
   return text;

@@ -16,6 +16,7 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
+#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/motion_words.hpp"
@@ -246,12 +247,13 @@ std::string json_text(const StabilityPlane& plane) {
 std::string stability_csv(const StabilityPlane& plane) {
   std::string text =
       plane.complete ? "" : fmt::format("# equipoise {}: stability, PARTIAL: stopped early\n", version_string);
-  text += fmt::format("{},{}", plane.x.key, plane.y.key);
-  for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
+  const PlaneColumns axes(plane.study, plane.x, plane.y);
+  text += axes.titles;
+  for (const PointNumber& n : point_numbers) text += "," + csv_title(n, plane.study);
   text += "\n";
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) {
-      fmt::format_to(std::back_inserter(text), "{},{}", plane.x.centre(column), plane.y.centre(row));
+      text += axes.values(plane.x.centre(column), plane.y.centre(row));
       for (const PointNumber& n : point_numbers) text += "," + csv_number(n.value(plane.points[plane.at(column, row)]));
       text += "\n";
     }

@@ -11,6 +11,7 @@
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
@@ -128,6 +129,15 @@ AxisWords axis_words(const Study& study, const SliceAxis& axis) {
   const EngineeringUnit e = engineering_unit(largest * unit->scale, unit->dimension);
   return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, false, e.name};
 }
+
+PlaneColumns::PlaneColumns(const Study& study, const SliceAxis& x, const SliceAxis& y) {
+  const AxisWords along_x = axis_words(study, x), along_y = axis_words(study, y);
+  titles = csv_title(x.key, along_x.unit) + "," + csv_title(y.key, along_y.unit);
+  x_factor = along_x.factor;
+  y_factor = along_y.factor;
+}
+
+std::string PlaneColumns::values(double x, double y) const { return fmt::format("{},{}", x * x_factor, y * y_factor); }
 
 PlanePicture::PlanePicture(const std::string& described, const Study& study, const SliceAxis& x, const SliceAxis& y)
     : svg(drawing_width, below_plane, described),

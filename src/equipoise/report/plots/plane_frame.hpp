@@ -22,6 +22,16 @@ std::string part_words(double part);
 /// others as in other pictures.
 AxisWords axis_words(const Study& study, const SliceAxis& axis);
 
+/// The two axes in CSV, in the same units.
+struct PlaneColumns {
+  PlaneColumns(const Study& study, const SliceAxis& x, const SliceAxis& y);
+  /// With a comma between them.
+  std::string values(double x, double y) const;
+
+  std::string titles;  ///< "speed.final (rpm),balancer.drag (mN m s)"
+  double x_factor, y_factor;
+};
+
 using MapPoint = std::array<double, 2>;
 
 /// Points along a line; the last is the first again if the line is closed.

@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {
 
-std::string trajectory_csv(const Trajectory& r) {
+std::string trajectory_csv(const Trajectory& r, const Study& study) {
   std::string text;
   const auto append = [&text]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
     fmt::format_to(std::back_inserter(text), format, std::forward<Parts>(parts)...);
@@ -22,8 +23,12 @@ std::string trajectory_csv(const Trajectory& r) {
     }
     text.back() = '\n';  // instead of the last comma
   };
-  cells([&](const auto& c) { append("{},", c.name); },
-        [&](const auto& c, std::size_t i) { append("{}_{},", c.name, i + 1); });
+  cells([&](const auto& c) { append("{},", csv_title(c, study)); },
+        [&](TrajectoryColumn c, std::size_t i) {
+          const std::string name = fmt::format("{}_{}", c.name, i + 1);
+          c.name = name.c_str();
+          append("{},", csv_title(c, study));
+        });
   for (std::size_t k = 0; k < r.t.size(); ++k)
     cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
           [&](const auto& c, std::size_t i) { append("{},", (r.*c.each)[i][k]); });

@@ -4,12 +4,13 @@
 #include <string>
 
 #include "equipoise/results/commands/trajectory.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 
 /// The trajectory_columns, of every ball phi_1 and so on; every number in the shortest form that reads back to the same
-/// bits.
-std::string trajectory_csv(const Trajectory& trajectory);
+/// bits. Titles of a study in physical units name the unit of their numbers, such as "t (1/omega_c)".
+std::string trajectory_csv(const Trajectory& trajectory, const Study& study);
 
 /// The same as NetCDF with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.
 /// Throws RunError if it cannot be written.
