@@ -183,6 +183,8 @@ TEST(CapacityAnswer, SaysWhatTheFirstTrialsShow) {
   CapacityResult r = capacity_of({{}});
   r.cells.front().reset();
   EXPECT_EQ(answer_sentence(r), "Nothing is known: no cell is done.");
+  r.trials = 8;
+  EXPECT_EQ(answer_sentence(r), "Nothing is known yet: 8 values tried, none with 95 % confidence.");
   r.open.front() = OpenCapacity{201.0, {}, 1};
   EXPECT_EQ(answer_sentence(r),
             "Up to unbalance 201 g mm, 95 % of starts end balanced: shown up to 201 (95 % confidence); stopped before "

@@ -98,7 +98,7 @@ TEST(Comparison, IsDecidedByLimitsWhereBothStateThem) {
   ASSERT_TRUE(r.limits);
   EXPECT_EQ(r.limits->first.count, 1000u);
   EXPECT_EQ(r.limits->second.count, 590u);
-  EXPECT_TRUE(verdict(r).starts_with("The second keeps every limit less often, by -41.0")) << verdict(r);
+  EXPECT_TRUE(verdict(r).starts_with("The second keeps every limit less often, by 41.0")) << verdict(r);
   EXPECT_TRUE(verdict(compare(second, first)).starts_with("The second keeps every limit more often, by +41.0"));
   EXPECT_TRUE(verdict(compare(first, first)).starts_with("No difference in starts within all limits is shown"));
   EXPECT_NE(result_text(r).find("starts within all limits"), std::string::npos);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -138,7 +139,10 @@ std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, con
 // Before any cell is finished.
 std::string open_capacity(const CapacityResult& r, const std::vector<std::string>& keys, const std::string& starts) {
   const auto known = std::find_if(r.open.begin(), r.open.end(), [](const auto& o) { return o && (o->low || o->high); });
-  if (known == r.open.end()) return no_cell_done;
+  const std::uint64_t trials = r.trials + r.resumed_trials;
+  if (known == r.open.end() && trials == 0) return no_cell_done;
+  if (known == r.open.end())
+    return fmt::format("Nothing is known yet: {} value{} tried, none with 95 % confidence.", trials, plural(trials));
   if (!r.axes.empty()) return "No cell is finished; the table shows what is known of each.";
   const OpenCapacity& open = **known;
   const std::string text =

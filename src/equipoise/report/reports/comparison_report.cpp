@@ -60,7 +60,9 @@ std::string verdict(const ComparisonResult& r) {
   const char* starts = r.limits ? starts_within_all_limits : "balanced starts";
   const std::string by = fmt::format("by {} points ({})", points(d.difference), interval_text(d));
   if (low > 0.0) return fmt::format("The second {} more often, {}.", does, by);
-  if (high < 0.0) return fmt::format("The second {} less often, {}.", does, by);
+  if (high < 0.0)
+    return fmt::format("The second {} less often, by {:.2f} points ({:.2f} to {:.2f}).", does, -100.0 * d.difference,
+                       -100.0 * d.high, -100.0 * d.low);
   if (d.low > 0.0 || d.high < 0.0)
     return fmt::format("Open: the difference in {} is {}, but undecided starts could undo it ({} to {}).", starts, by,
                        points(low), points(high));
