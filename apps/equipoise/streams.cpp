@@ -72,9 +72,15 @@ void claim_streams() {
 void put(const std::string& given) {
   if (output_error != 0) return;
   const std::string text = for_stream(given, STDOUT_FILENO);
-  errno = 0;
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) output_error = errno != 0 ? errno : EIO;
+  const bool stopped = stop_flag();
+  for (std::string_view left = text; !left.empty() && output_error == 0;) {
+    const ssize_t written = write(STDOUT_FILENO, left.data(), left.size());
+    left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    if (written < 0)
+      output_error = errno;
+    else if (!left.empty() && stop_flag() != stopped)  // a stop cuts short what waits for a reader
+      output_error = EINTR;
+  }
 }
 
 void put_error(const std::string& given) {

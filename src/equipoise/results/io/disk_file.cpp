@@ -18,7 +18,8 @@ namespace {
 
 int failed(bool yes) { return yes ? errno : 0; }
 
-// Calls put(bytes from there, how many) until all is written. `again`: also after a signal.
+// Calls put(bytes from there, how many) until all is written. `again`: also after a signal, which ends a write or cuts
+// it short.
 template <class Put>
 int write_through(const void* data, std::size_t size, bool again, Put put) {
   const char* at = static_cast<const char*>(data);
@@ -26,6 +27,7 @@ int write_through(const void* data, std::size_t size, bool again, Put put) {
     const ssize_t written = put(at, size);
     if (written < 0 && errno == EINTR && again) continue;
     if (written < 0) return errno;
+    if (!again && static_cast<std::size_t>(written) < size) return EINTR;
     at += written;
     size -= static_cast<std::size_t>(written);
   }
@@ -99,7 +101,9 @@ int DiskFile::write_at(std::uint64_t offset, const void* data, std::size_t size)
 }
 
 int DiskFile::write(const std::string& text) const {
-  return write_through(text.data(), text.size(), false,
+  struct stat now {};
+  const bool regular = fstat(file_, &now) == 0 && S_ISREG(now.st_mode);
+  return write_through(text.data(), text.size(), regular,
                        [&](const char* at, std::size_t left) { return ::write(file_, at, left); });
 }
 
