@@ -20,7 +20,7 @@ void write_sweep_file(const std::string& path, const SweepResult& result);
 /// Identity and content of a sweep's results or its unfinished part. Throws InputError for other or damaged files.
 struct StoredSweep {
   std::string identity, loss;                               ///< loss: Store::loss()
-  std::map<std::size_t, std::shared_ptr<SweepCell>> cells;  ///< by index, which may be any number
+  std::map<std::size_t, std::shared_ptr<SweepCell>> cells;  ///< by index, below the number of cells in the identity
 };
 StoredSweep read_sweep(const std::string& path);
 
