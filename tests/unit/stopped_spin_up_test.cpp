@@ -66,13 +66,13 @@ TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
     }
     return "";
   };
-  EXPECT_EQ(refused({}), "speed.duration = 3e+06");
+  EXPECT_EQ(refused({}), "speed.duration = 3000000");
   EXPECT_EQ(refused({"release.speed=1.2"}), "release.speed = 1.2");
-  EXPECT_EQ(refused({"release.time=2.9e6"}), "release.time = 2.9e+06");
-  EXPECT_EQ(refused({"speed={profile='points', times=[0.0, 3e6], speeds=[0.0, 2.4]}"}), "speed.times = 3e+06");
+  EXPECT_EQ(refused({"release.time=2.9e6"}), "release.time = 2900000");
+  EXPECT_EQ(refused({"speed={profile='points', times=[0.0, 3e6], speeds=[0.0, 2.4]}"}), "speed.times = 3000000");
   EXPECT_EQ(refused({"speed={profile='trapezoid', peak=3.0, final=2.4, rise_until=2e6, hold_until=2.1e6, "
                      "fall_until=2.2e6}"}),
-            "speed.rise_until = 2e+06");
+            "speed.rise_until = 2000000");
   EXPECT_EQ(refused({"speed.duration=2e5", "speed.final=1.3"}), "");  // 1.3 * 64 / (2 pi) per unit of time: 2.6 million
   EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free from the start
 }

@@ -14,6 +14,7 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/transients/clamped_transients.hpp"
+#include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
 
@@ -22,17 +23,6 @@ namespace {
 const char* final_speed_key(const Study& study) {
   const Profile profile = study.speed.profile;
   return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
-}
-
-// The key that sets the time of release.
-const char* release_key(const Study& study) {
-  if (study.release.speed) return "release.speed";
-  if (study.release.time) return "release.time";
-  const Profile profile = study.speed.profile;
-  return profile == Profile::trapezoid ? "speed.rise_until"
-         : profile == Profile::points  ? "speed.times"
-         : profile == Profile::hill    ? "speed.half_time"
-                                       : "speed.duration";
 }
 
 // The key that makes a study miss a need, and its value.
@@ -105,15 +95,14 @@ void check_drawable(const Study& study, bool transients) {
 void check_tilting(const Study& study) {
   if (!study.parameters.tilts()) return;
   const bool clamped = study.release_time() > 0.0;
-  const auto refuse = [&](const char* key, const std::string& value, const char* why) {
-    throw InputError(study.name, key, value, why);
+  const auto refuse = [&](const study::StatedValue& stated, const char* why) {
+    throw InputError(study.name, stated.key, stated.text, why);
   };
   if (clamped && study.speed.driven())
-    refuse(release_key(study),
-           study.release.speed ? fmt::format("{}", *study.release.speed) : fmt::format("{}", *study.release.time),
+    refuse(study::stated_release(study),
            "balls of a rotor with rotor.tilt that a motor drives are free from the beginning, without [release]");
   if (study.speed.driven() && study.system().coasts())
-    refuse("speed.torque", "0 in the end",
+    refuse({"speed.torque", "0 in the end"},
            "with rotor.tilt, starts of a rotor that coasts in the end cannot be decided (simulate follows one)");
 }
 
@@ -122,10 +111,12 @@ void check_watchable(const Study& study) {
   const double release = study.release_time();
   const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
   if (points <= most_clamped_grid_points) return;
-  throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
-                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
-                               "about t = {:.3g}, or a study without [limits], without its transients",
-                               release, release * (most_clamped_grid_points / points)));
+  const study::StatedValue stated = study::stated_release(study);
+  const auto time = [&](double t) { return study::in_own_unit(t, study::Dimension::time, study.scales); };
+  throw InputError(study.name, stated.key, stated.text,
+                   fmt::format("holds the balls until t = {}, too long to watch for transients; must release them by "
+                               "about t = {}, or the study must do without [limits] and transients",
+                               time(release), time(release * (most_clamped_grid_points / points))));
 }
 
 void check_decidable(const Study& study) {

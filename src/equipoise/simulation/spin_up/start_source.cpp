@@ -15,18 +15,19 @@
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/transients/transient_watch.hpp"
+#include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// With the key that says how long it takes.
 [[noreturn]] void clamped_failed(const Study& study) {
-  const bool ramp = study.speed.profile == Profile::ramp && !study.release.time && !study.release.speed;
+  const study::StatedValue stated = study::stated_release(study);
   throw RunError(
-      fmt::format("the rotor could not be followed until the balls are released; {} = {} may be too short or too long, "
-                  "or [initial] too far from rest",
-                  ramp ? "speed.duration" : "release.time", ramp ? study.speed.duration : study.release_time()));
+      fmt::format("the rotor could not be followed until the balls are released, by {} = {}; rotor.stiffness or "
+                  "rotor.damping may be "
+                  "too large, or [initial] too far from rest",
+                  stated.key, stated.text));
 }
 
 }  // namespace

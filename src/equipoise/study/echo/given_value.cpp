@@ -6,6 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/contents/keys.hpp"
 
@@ -45,6 +47,30 @@ GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& u
   given.value = measured.value / (other ? unit->other_scale : unit->scale);
   given.problem = measured.problem;
   return given;
+}
+
+std::string in_own_unit(double value, Dimension dimension, const std::optional<model::Scales>& scales) {
+  const ShownUnit unit = shown_unit(dimension, scales);
+  return scales ? fmt::format("{:.6g} {}", value * unit.size, unit.name) : fmt::format("{}", value);
+}
+
+StatedValue stated_release(const Study& study) {
+  const SpeedSetting& speed = study.speed;
+  if (study.release.speed) return {"release.speed", in_own_unit(*study.release.speed, Dimension::speed, study.scales)};
+  const auto time = [&](const char* key, double t) {
+    return StatedValue{key, in_own_unit(t, Dimension::time, study.scales)};
+  };
+  if (study.release.time) return time("release.time", *study.release.time);
+  switch (speed.profile) {
+    case Profile::trapezoid:
+      return time("speed.rise_until", speed.rise_until);
+    case Profile::points:
+      return time("speed.times", speed.times.back());
+    case Profile::hill:
+      return speed.until ? time("speed.until", *speed.until) : time("speed.half_time", speed.half_time);
+    default:
+      return time(study.states("speed.run_up") ? "speed.run_up" : "speed.duration", speed.duration);
+  }
 }
 
 }  // namespace equipoise::study

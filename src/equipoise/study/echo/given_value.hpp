@@ -1,4 +1,5 @@
-// Values given next to a study, by options: dimensionless numbers, or quantities that the study's scales convert.
+// Values given next to a study, by options, and its own values for messages: dimensionless numbers, or quantities that
+// the study's scales convert.
 #pragma once
 
 #include <optional>
@@ -31,5 +32,16 @@ struct GivenValue {
 
 /// Reads a plain number as the dimensionless value, even in a study with scales, and "number unit" by `unit`.
 GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& unit);
+
+/// A dimensionless value in the terms of a study with these scales: 3.2, or "0.05 s" and "2400 rpm".
+std::string in_own_unit(double value, Dimension dimension, const std::optional<model::Scales>& scales);
+
+/// A key that a study states, and its value in the study's own unit.
+struct StatedValue {
+  const char* key;
+  std::string text;
+};
+/// What sets the time of release; for an array its last entry.
+StatedValue stated_release(const Study& study);
 
 }  // namespace equipoise::study

@@ -14,6 +14,7 @@
 #include "equipoise/core/base/typed_numbers.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise::study {
 
@@ -80,10 +81,18 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
   none(rolling ? "rolling" : "stiction", p.balls_stick());
 }
 
-// A dimensionless value in a study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
-std::string in_own_unit(double value, Dimension dimension, const std::optional<model::Scales>& scales) {
-  const ShownUnit unit = shown_unit(dimension, scales);
-  return scales ? fmt::format("{:.6g} {}", value * unit.size, unit.name) : fmt::format("{}", value);
+// A rotor is not brought to speed for longer, and a change of speed that takes less is a jump.
+constexpr double shortest_time = 1e-12, longest_time = 1e8;
+
+void check_time(const std::string& key, double time, const std::optional<model::Scales>& scales, const Refuse& refuse) {
+  if (time >= shortest_time && time <= longest_time) return;
+  const auto shown = [&](double t) { return in_own_unit(t, Dimension::time, scales); };
+  refuse(key, fmt::format("must be from {} to {}", shown(shortest_time), shown(longest_time)));
+}
+void check_times(const std::string& key, const std::vector<double>& times, const std::optional<model::Scales>& scales,
+                 const Refuse& refuse) {
+  for (const double time : times)
+    if (time != 0.0) check_time(key, time, scales, refuse);
 }
 
 // Times or speeds must increase, and each needs a value.
@@ -102,8 +111,8 @@ void check_points(const std::string& table, bool times, const std::vector<double
 }
 
 // Of [speed], or of a motor's target.
-void check_ramp(const RampSetting& ramp, const std::string& table, const std::optional<model::Scales>& scales,
-                const Refuse& refuse) {
+void check_ramp(const RampSetting& ramp, const std::string& table, const Study& study, const Refuse& refuse) {
+  const std::optional<model::Scales>& scales = study.scales;
   const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
     if (!(time > earlier))
       refuse(fmt::format("{}.{}", table, key),
@@ -120,13 +129,36 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const std::op
   if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
     refuse(fmt::format("{}.until", table),
            fmt::format("must be at least {}, {}", "half_time", in_own_unit(ramp.half_time, Dimension::time, scales)));
+  const auto lasts = [&](const char* key, double time) {
+    check_time(fmt::format("{}.{}", table, key), time, scales, refuse);
+  };
+  if (ramp.profile == Profile::ramp) lasts(study.states(table + ".run_up") ? "run_up" : "duration", ramp.duration);
+  if (ramp.profile == Profile::trapezoid) {
+    lasts("rise_until", ramp.rise_until);
+    lasts("fall_until", ramp.fall_until);
+  }
+  if (ramp.profile == Profile::points) check_times(table + ".times", ramp.times, scales, refuse);
+  if (ramp.profile == Profile::hill) {
+    lasts("half_time", ramp.half_time);
+    if (const double end = ramp_profile(ramp).times.back(); !(end <= longest_time))
+      refuse(
+          fmt::format("{}.{}", table, ramp.until ? "until" : "half_time"),
+          fmt::format("brings the rotor to its final speed at t = {}; must do so by t = {}",
+                      in_own_unit(end, Dimension::time, scales), in_own_unit(longest_time, Dimension::time, scales)));
+  }
 }
 
-void check_torque(const TorqueSetting& motor, const std::optional<model::Scales>& scales, const Refuse& refuse) {
+void check_torque(const Study& study, const Refuse& refuse) {
   using Kind = model::MotorLaw::Kind;
+  const TorqueSetting& motor = study.speed.torque;
+  const std::optional<model::Scales>& scales = study.scales;
   const std::string table = "speed.torque";
-  if (motor.kind == Kind::table) check_points(table, true, motor.times, "values", motor.values, scales, refuse);
-  if (motor.kind == Kind::control) check_ramp(motor.target, table + ".target", scales, refuse);
+  if (motor.kind == Kind::table) {
+    check_points(table, true, motor.times, "values", motor.values, scales, refuse);
+    check_times(table + ".times", motor.times, scales, refuse);
+  }
+  if (motor.kind == Kind::control) check_ramp(motor.target, table + ".target", study, refuse);
+  if (motor.until) check_times(table + ".until", {*motor.until}, scales, refuse);
   if (motor.kind != Kind::curve) return;
   check_points(table, false, motor.speeds, "values", motor.values, scales, refuse);
   const std::size_t points = motor.speeds.size();
@@ -154,9 +186,9 @@ void check_balls(const Study& study, const Refuse& refuse) {
 
 void check_speed(const Study& study, const Refuse& refuse) {
   const SpeedSetting& speed = study.speed;
-  check_ramp(speed, "speed", study.scales, refuse);
+  check_ramp(speed, "speed", study, refuse);
   if (!speed.driven()) return;
-  check_torque(speed.torque, study.scales, refuse);
+  check_torque(study, refuse);
   if ((speed.load.linear != 0.0 || speed.load.quadratic != 0.0) && !speed.load.at)
     refuse("speed.load.at", "missing; must be the speed at which the load takes linear and quadratic");
   if (!(study.parameters.inertia > 0.0))
@@ -169,6 +201,7 @@ void check_speed(const Study& study, const Refuse& refuse) {
 void check_release(const Study& study, const Refuse& refuse) {
   const ReleaseSetting& release = study.release;
   if (release.speed && release.time) refuse("release.time", "give either release.speed or release.time, not both");
+  if (release.time) check_times("release.time", {*release.time}, study.scales, refuse);
   if (!release.speed || study.speed.driven()) return;
   const model::SpeedProfile profile = study.speed_profile();
   if (!profile.first_time_at(*release.speed))
