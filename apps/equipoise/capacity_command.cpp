@@ -48,7 +48,7 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   CapacityOptions options;
   options.of = "--of";
   options.key = capacity_key(plan.source(), a.of, options.of);
-  static_cast<CapacityRange&>(options) = capacity_range(plan, options.key, a.between, "--between");
+  static_cast<CapacityRange&>(options) = capacity_range(plan, options.key, a.between, "--between", &stop_flag());
   const std::vector<std::string> goals = capacity_goals(plan.study());
   option_choice<int>("--by", a.by, goals);
   options.by = a.by;

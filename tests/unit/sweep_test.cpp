@@ -91,9 +91,22 @@ TEST(SweepPlan, BlocksHoldEveryCellOnceAndNeighboursInARow) {
 
 TEST(SweepPlan, RefusesACellThatIsNoStudy) {
   const std::string text = refusal_text([] {
-    SweepPlan({rotor, "study", {}}, sweep_axes({"balancer.drag=0.05,-0.1"}, false, "--over"), {}, "--over");
+    SweepPlan({rotor, "study", {}}, sweep_axes({"balancer.drag=0.05,-0.1"}, false, "--over"), {}, "--over")
+        .check_cells();
   });
   EXPECT_NE(text.find("balancer.drag = -0.1"), std::string::npos) << text;
+}
+
+// A hundred thousand cells, the last of which is refused: seconds of checks, none of which a stop waits for.
+TEST(SweepPlan, ChecksNoMoreCellsOnceStopped) {
+  const SweepPlan plan({rotor, "study", {}}, sweep_axes({"balancer.drag=0.9:-0.00001:-0.00001"}, false, "--over"), {},
+                       "--over");
+  SweepOptions options;
+  const StopFlag stop{true};
+  options.stop = &stop;
+  const SweepResult result = sweep(plan, options);
+  EXPECT_EQ(result.cells.size(), plan.cells());
+  EXPECT_FALSE(result.complete());
 }
 
 SweepOutcome outcome(int id, const char* name, double r, double drift) {

@@ -243,7 +243,8 @@ class CapacityRun final : public SurveyRun {
   void kept(std::size_t cell) override { find(cell); }
 
   void check() const {
-    for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
+    plan_.check_cells(options_.stop);
+    for (std::size_t cell = 0; cell < plan_.cells() && !is_set(options_.stop); ++cell)
       for (const double part : {0.0, 1.0 / scan, 1.0}) {  // between the ends, a key of whole numbers shows itself
         const double value = few_digits(options_.from + (options_.to - options_.from) * part);
         check_runnable(capacity_study(plan_, options_, cell, value), plan_.transients());
@@ -289,13 +290,13 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 namespace {
 
 // From a fiftieth of what the balls can cancel in the cell with the least to all of it in the cell with the most.
-std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
+std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key, const StopFlag* stop) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
   const bool physical = plan.study().physical, unbalance = key == "rotor.unbalance" && physical;
   if (!unbalance && key != "rotor.eccentricity") return std::nullopt;
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
-  for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
-    const Study study = plan.study_of(cell);
+  for (std::size_t cell = 0; cell < plan.cells() && !is_set(stop); ++cell) {
+    const Study study = plan.checked_study_of(cell);
     const double scale = unbalance  ? study.scales->unbalance() * grams_and_millimetres
                          : physical ? study.scales->length * millimetres
                                     : 1.0;
@@ -310,9 +311,9 @@ std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::strin
 }  // namespace
 
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
-                             const std::string& option) {
+                             const std::string& option, const StopFlag* stop) {
   if (text.empty()) {
-    if (const auto usual = usual_range(plan, key)) return *usual;
+    if (const auto usual = usual_range(plan, key, stop)) return *usual;
     throw InputError(option, key, "",
                      "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
                      "in physical units, have a default range)");

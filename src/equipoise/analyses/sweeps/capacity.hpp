@@ -38,9 +38,9 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 
 /// The range as written, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
 /// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can cancel,
-/// over all cells. `option` names it in errors. Throws InputError.
+/// over all cells. `option` names it in errors. Once `stop` is set, that range is of no use. Throws InputError.
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
-                             const std::string& option);
+                             const std::string& option, const StopFlag* stop = nullptr);
 
 /// The study of a trial: the cell's with the key at this value, in the options' unit.
 Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value);

@@ -104,6 +104,7 @@ class SweepRun final : public SurveyRun {
 
   SweepResult run() {
     const RunClock clock;
+    plan_.check_cells(options_.stop);
     if (!options_.output.empty()) file_ = io::open_sweep_file(options_.output, result_.identity, result_.cells);
     open(sweep_survey(plan_), file_.get());
     std::vector<std::size_t> blocks = blocks_to_do();

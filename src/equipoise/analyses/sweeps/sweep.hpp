@@ -23,8 +23,8 @@ struct SweepOptions : SurveyOptions {
 /// For other processes of a job: a record is a cell.
 Survey sweep_survey(const SweepPlan& plan);
 
-/// Runs the ensembles. The result depends only on the plan. Throws InputError for unusable output files, RunError if
-/// the output fails later.
+/// Runs the ensembles. The result depends only on the plan. Throws InputError, before any work, for cells that cannot
+/// be decided and for unusable output files, RunError if the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
 
 /// Reads a sweep's file, or its unfinished part (.part), as a result. A notice says what is damaged in a part. Throws

@@ -12,6 +12,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
+#include "equipoise/study/toml/toml_tree.hpp"
 
 namespace equipoise {
 
@@ -25,9 +26,13 @@ bool StudySource::states(const std::string& key) const {
   return study::parse_study_file(toml, name, overrides).root.find_path(key) != nullptr;
 }
 
-SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request,
-                     const std::string& option)
-    : source_(std::move(source)), axes_(std::move(axes)), request_(request), study_(source_.with()) {
+SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request, std::string option)
+    : source_(std::move(source)),
+      axes_(std::move(axes)),
+      request_(request),
+      option_(std::move(option)),
+      study_(source_.with()),
+      tree_(study::parse_toml(source_.toml)) {
   for (std::size_t a = 0; a < axes_.size(); ++a) {
     cells_ *= axes_[a].size();
     if (axes_[a].size() > axes_[chain_].size()) chain_ = a;
@@ -36,21 +41,28 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Basi
   lines_ = cells_ / length;
   blocks_in_line_ = (length + block_length - 1) / block_length;
   transients_ = gathers_transients(study_, request_);
-  for (std::size_t cell = 0; cell < cells_; ++cell) {
-    try {
-      check_runnable(study_of(cell), transients_);
-    } catch (const InputError& e) {
-      throw InputError(option, e.key(), e.value(), e.problem() + " (in the cell " + cell_title(axes_, cell) + ")");
-    }
-  }
 }
 
 Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more) const {
-  std::vector<std::string> overrides;
+  std::vector<std::string> overrides = source_.overrides;
   visit_parameters(axes_, cell,
                    [&](const SweepParameter& p, std::size_t k) { overrides.push_back(p.key + "=" + p.given[k]); });
   overrides.insert(overrides.end(), more.begin(), more.end());
-  return source_.with(overrides);
+  return study_from(tree_, source_.name, overrides);
+}
+
+Study SweepPlan::checked_study_of(std::size_t cell) const {
+  try {
+    Study study = study_of(cell);
+    check_decidable_as_read(study, transients_);
+    return study;
+  } catch (const InputError& e) {
+    throw InputError(option_, e.key(), e.value(), e.problem() + " (in the cell " + cell_title(axes_, cell) + ")");
+  }
+}
+
+void SweepPlan::check_cells(const StopFlag* stop) const {
+  for (std::size_t cell = 0; cell < cells_ && !is_set(stop); ++cell) (void)checked_study_of(cell);
 }
 
 std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {

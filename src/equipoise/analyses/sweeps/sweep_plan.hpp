@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 #include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/toml/study_value.hpp"
 
 namespace equipoise {
 
@@ -29,9 +31,9 @@ class SweepPlan {
  public:
   static constexpr std::size_t block_length = 8;
 
-  /// No axes: one cell. `request`: what is wanted of every cell, half-width, limit and transients. Throws InputError,
-  /// naming `option`, if a cell's study is invalid or cannot be decided.
-  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request, const std::string& option);
+  /// No axes: one cell. `request`: what is wanted of every cell, half-width, limit and transients. `option` names the
+  /// axes in errors about a cell. Throws InputError if the study is invalid; cells are checked by check_cells().
+  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const BasinOptions& request, std::string option);
 
   const Study& study() const { return study_; }
   const StudySource& source() const { return source_; }
@@ -43,6 +45,10 @@ class SweepPlan {
   std::size_t cells() const { return cells_; }
   /// `more`: further overrides.
   Study study_of(std::size_t cell, const std::vector<std::string>& more = {}) const;
+  /// study_of() a cell that can be decided. Throws InputError, naming the option and the cell, for any other.
+  Study checked_study_of(std::size_t cell) const;
+  /// Does this for every cell; ends early once `stop` is set.
+  void check_cells(const StopFlag* stop = nullptr) const;
   std::size_t blocks() const { return lines_ * blocks_in_line_; }
   /// In the order of computation.
   std::vector<std::size_t> cells_of(std::size_t block) const;
@@ -58,7 +64,9 @@ class SweepPlan {
   StudySource source_;
   std::vector<SweepAxis> axes_;
   BasinOptions request_;
+  std::string option_;
   Study study_;
+  StudyValue tree_;  ///< of the source's text, which is parsed once for all cells
   bool transients_ = false;
   std::size_t cells_ = 1, chain_ = 0, lines_ = 1, blocks_in_line_ = 1;
 };

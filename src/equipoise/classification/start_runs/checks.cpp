@@ -75,7 +75,6 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
 // Tries a study with uncertain values at its medians, and with all values at their ends. Throws InputError if its
 // starts cannot be decided there.
 void check_drawable(const Study& study, bool transients) {
-  check(study);
   if (study.numerics.decide != ClassificationMode::validated)
     throw InputError(
         study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
@@ -120,7 +119,6 @@ void check_watchable(const Study& study) {
 }
 
 void check_decidable(const Study& study) {
-  check(study);
   check_has_balls(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
@@ -161,6 +159,11 @@ void check_offers(const Study& study, model::ResultKind answer) {
 }
 
 void check_runnable(const Study& study, bool transients) {
+  check(study);
+  check_decidable_as_read(study, transients);
+}
+
+void check_decidable_as_read(const Study& study, bool transients) {
   if (!study.uncertain.empty()) return check_drawable(study, transients);
   check_decidable(study);
   if (transients) reject_if_lacking(study, model::ResultKind::transients);

@@ -12,6 +12,8 @@ namespace equipoise {
 /// Throws InputError for an invalid study, or one whose starts cannot be decided at the medians and ends of uncertain
 /// values, if there are any. With `transients`, also throws for a study whose transients cannot be watched.
 void check_runnable(const Study& study, bool transients);
+/// The same for a study that is as it was read, and therefore valid; half the work.
+void check_decidable_as_read(const Study& study, bool transients);
 /// Throws InputError for a rotor without balls.
 void check_has_balls(const Study& study);
 /// Throws InputError for a system that lacks what the result needs, named by its key.

@@ -145,8 +145,8 @@ Study::Keys keys_of(const StudyValue& root) {
 std::string physical_key(const StudyFile& file) {
   for (const KeyTable& table : key_tables())
     for (const Key& key : table.keys)
-      if (const std::string dotted = table.name + "." + key.name; key.has(Key::physical) && file.root.find_path(dotted))
-        return dotted;
+      if (key.has(Key::physical))
+        if (std::string dotted = table.name + "." + key.name; file.root.find_path(dotted)) return dotted;
   return file.root.find("place") ? "place" : "";
 }
 

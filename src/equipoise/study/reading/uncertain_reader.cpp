@@ -136,9 +136,10 @@ void take_from(const StudyFile& file, const KeyTable& keys, const std::string& p
   const StudyValue* table = file.root.find_path(path);
   if (!table || !table->table()) return;
   for (const auto& [key, value] : *table->table()) {
+    if (!names_distribution(value)) continue;
     const std::string dotted = path + "." + key;
     // A key in quotes may contain dots; the reader knows no such key.
-    if (file.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value)) continue;
+    if (file.root.find_path(dotted) != &value || takes_distributions(dotted)) continue;
     UncertainValue& read = values.emplace_back(DistributionReader(file, dotted, value).read());
     const Key* line = keys.find(key, true);
     if (!line || line->dimension != Dimension::angle) continue;
