@@ -29,8 +29,10 @@ int run_check(const CommonArguments& a) {
   begin_time(a.within);
   const StudySource source = source_of(a);
   const StudyCheck check = check_study(source.toml, source.name, source.overrides, &stop_flag());
-  const SweepSetting sweep = source.with().sweep;
-  if (!sweep.over.empty()) (void)sweep_axes(sweep.over, sweep.zip, own_sweep(source.name));
+  if (const SweepSetting sweep = source.with().sweep; !sweep.over.empty()) {
+    const std::string where = own_sweep(source.name);
+    SweepPlan(source, sweep_axes(sweep.over, sweep.zip, where), {}, where).check_cells(&stop_flag());
+  }
   put(lines_filled(check.text(), text_style()));
   return stop_flag() ? ended_early({}, nullptr, "") : done;
 }
