@@ -1,5 +1,6 @@
 // A study explained: figures against hand calculations and closed forms; each warning with a study that causes it.
 #include <cmath>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,18 @@ TEST(Explain, SaysWhatRollingChanges) {
   // Strong drag slows a ball by 5/7 beta and more, as far as the rotor, a hundred times heavier, yields.
   const auto fastest = [](const Explanation& e) { return e.motion->eigenvalues.back().real(); };
   EXPECT_NEAR(fastest(of(machine, {thick[1]})) / fastest(of(machine, thick)), 1.4, 0.02);
+}
+
+// A turn of the rotor is then up to a million periods of its fastest vibration, which nobody waits for.
+TEST(Explain, AnswersSoonForSupportsHoweverStiff) {
+  for (const char* stiffness : {"[1e9, 1.0]", "[1e12, 1.0]", "[1.0, 1e300]"})
+    for (const char* gravity : {"0.0", "0.001"}) {
+      const std::clock_t begin = std::clock();
+      const Explanation e =
+          of(constant_speed, {std::string("rotor.stiffness=") + stiffness, std::string("rotor.gravity=") + gravity});
+      EXPECT_LT(std::clock() - begin, 2 * CLOCKS_PER_SEC) << stiffness;
+      EXPECT_TRUE(holds(e.no_motion, "too many periods of its fastest vibration")) << e.no_motion;
+    }
 }
 
 TEST(Explain, LeavesTheContinuumsOwnZerosOut) {

@@ -12,6 +12,7 @@
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/cancelling_angles.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
@@ -132,6 +133,11 @@ LinearRotor linear_rotor(const Study& study, double speed, bool family) {
     left_out(unequal_supports_left_out);
   }
   return rotor;
+}
+
+bool is_too_stiff(const model::Parameters& p, double speed) {
+  constexpr double most_radians = 1e4;
+  return model::highest_critical_speed(p) * two_pi > most_radians * std::fabs(speed);
 }
 
 std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family,

@@ -45,6 +45,10 @@ struct LinearRotor {
 /// Gravity is left out of a continuum (`family`), and where a ball's weight exceeds its centrifugal force.
 LinearRotor linear_rotor(const Study& study, double speed, bool family);
 
+/// Whether a turn at this speed lasts more than 1e4 radians of the fastest vibration, half a second's work: nothing
+/// that is meant to answer at once follows such a rotor.
+bool is_too_stiff(const model::Parameters& p, double speed);
+
 /// How deviations from balance grow or die out.
 struct BalancedRates {
   std::vector<std::complex<double>> rates;  ///< slowest first; ln(multiplier)/period where the equations repeat

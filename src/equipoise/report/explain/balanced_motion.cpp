@@ -53,6 +53,8 @@ void linearise(Explanation& e, const StopFlag* stop) {
   motion.angles = *angles;
   for (int i = 0; i < twin.parameters.balls; ++i) motion.angles[static_cast<std::size_t>(i)] += twin.turn;
   const model::System system = rotor.system();
+  if (!system.autonomous() && is_too_stiff(rotor.parameters, *e.speed))
+    return skip("a turn of the rotor lasts too many periods of its fastest vibration to be followed here");
   const auto linear = balanced_rates(system, motion.angles, family, stop);
   if (is_set(stop)) return skip("it was stopped before it was known");
   if (!linear) {

@@ -176,7 +176,7 @@ Explanation explain(const Study& study, const StopFlag* stop) {
         model::reynolds_number(*sheet.oil_density, slip * study.scales->velocity(), largest, *sheet.oil_viscosity);
   }
   if (p.balls > 0 && !p.tilts()) e.advice = advice(e);
-  add_warnings(e);
+  add_warnings(e, stop);
   return e;
 }
 

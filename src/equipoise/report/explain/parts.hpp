@@ -25,8 +25,8 @@ std::vector<double> ball_widths(const Study& study);
 /// study says why.
 std::vector<RuleOfThumb> advice(const Explanation& e);
 
-/// To an explanation that has all else.
-void add_warnings(Explanation& e);
+/// To an explanation that has all else. Once `stop` is set, those that need starts are left out.
+void add_warnings(Explanation& e, const StopFlag* stop);
 
 /// The estimated quantity to which balance is most sensitive, what a change of it does, and how that was judged. Once
 /// `stop` is set, that it was stopped.

@@ -102,8 +102,9 @@ std::string origin_of_unbalance(const Study& s, const Explanation& e) {
 }
 
 // Where balance is possible.
-const char* but_unstable(const Explanation& e) {
-  return e.motion && !e.motion->stable ? ", but balance is not stable at the final speed" : "";
+std::string but_unstable(const Explanation& e) {
+  if (e.motion) return e.motion->stable ? "" : ", but balance is not stable at the final speed";
+  return e.speed && *e.speed != 0.0 ? ", but whether balance is stable is not known: " + e.no_motion : "";
 }
 
 // Of a tilting machine: what the balls of each plane can cancel.
@@ -138,7 +139,8 @@ std::string balls_line(const Explanation& e) {
   if (e.unbalance == 0.0) return line + fmt::format("; they cancel {}, and there is nothing to cancel", range);
   const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
   return line + fmt::format("; they cancel {}, {} {:.3g} times the unbalance{}", range, can ? up_to : at_most,
-                            e.largest_unbalance / e.unbalance, can ? but_unstable(e) : ": balance is impossible");
+                            e.largest_unbalance / e.unbalance,
+                            can ? but_unstable(e) : std::string(": balance is impossible"));
 }
 
 // Under gravity.

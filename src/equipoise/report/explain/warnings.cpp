@@ -28,7 +28,7 @@ constexpr double rounding = 1e-9;
 
 class Warnings {
  public:
-  explicit Warnings(Explanation& e) : e_(e), p_(e.study.parameters) {
+  Warnings(Explanation& e, const StopFlag* stop) : e_(e), p_(e.study.parameters) {
     speed();
     e.tilt ? planes(*e.tilt) : unbalance({e.unbalance, e.least_unbalance, e.largest_unbalance}, p_.balls == 1);
     sag();
@@ -38,7 +38,7 @@ class Warnings {
     if (e.run_up) run_up(*e.run_up);
     if (p_.balls == 0) return;
     patience();
-    if (!e.tilt) release();  // which no motor has
+    if (!e.tilt) release(stop);  // which no motor has
     room();
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
@@ -225,12 +225,14 @@ class Warnings {
   }
 
   // Whether a motor reaches the release speed depends on where the balls are held: some starts are tried.
-  void release() {
+  void release(const StopFlag* stop) {
     const Study& study = e_.study;
     if (!study.speed.driven() || !study.release.speed) return;
+    if (is_too_stiff(p_, *study.release.speed))
+      return warn("the supports are too stiff to try here whether the motor reaches the speed of release");
     constexpr std::size_t tried = 8;
     SpunUp starts;
-    if (!make_spin_up(with_horizon(study), nullptr)->make(study.sampling.seed, 0, tried, starts)) return;
+    if (!make_spin_up(with_horizon(study), stop)->make(study.sampling.seed, 0, tried, starts)) return;
     std::vector<UndecidedEnd> clamped;
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
@@ -253,6 +255,6 @@ class Warnings {
 
 }  // namespace
 
-void add_warnings(Explanation& e) { Warnings{e}; }
+void add_warnings(Explanation& e, const StopFlag* stop) { Warnings{e, stop}; }
 
 }  // namespace equipoise

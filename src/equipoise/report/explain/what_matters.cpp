@@ -120,7 +120,7 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
     consider(2.0 * decides, after.can_balance ? "balance becomes possible" : "balance becomes impossible");
   if (before.hangs != after.hangs)
     consider(1.5 * decides, after.hangs ? "balls stay hanging below the shaft" : "drag carries hanging balls round");
-  if (before.can_balance && after.can_balance && before.stable != after.stable)
+  if ((before.stable && after.unstable) || (before.unstable && after.stable))
     consider(decides, after.stable ? "balance becomes stable" : "balance becomes unstable");
   if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
     consider(least_decision, *after.passes < 1.0
