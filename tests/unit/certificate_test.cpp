@@ -324,6 +324,15 @@ TEST(CertificateJson, GivesTheSameBitsBack) {
   }
 }
 
+TEST(CertificateJson, IsNotReadOnceStopped) {
+  std::vector<Certificate> one(1);
+  ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, one[0]).proved);
+  const std::string text = certificates_json(Certificates{one, {}});
+  const StopFlag stop{true};
+  EXPECT_TRUE(certificates_from_json(text, "file", &stop).states.empty());
+  EXPECT_FALSE(checked_certificates(text, "file", &stop).proved());
+}
+
 TEST(CertificateJson, NamesWhatDoesNotFit) {
   std::vector<Certificate> one(1);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, one[0]).proved);

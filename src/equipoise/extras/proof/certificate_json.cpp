@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -243,9 +245,29 @@ void member_entries(Archive& a, AnyCertificate& c) {
   a.matrix("form", c.form, size);
 }
 
-// The file's object. It must hold at least one certificate of either kind.
-Json file_from(const std::string& text, const std::string& where) {
-  Json json = Json::parse(text, nullptr, false);
+// Ends the text, and with it the parser, once `stop` is set.
+struct StoppableText {
+  const char* at;
+  const StopFlag* stop;
+
+  using difference_type = std::ptrdiff_t;
+  using value_type = char;
+  using pointer = const char*;
+  using reference = const char&;
+  using iterator_category = std::input_iterator_tag;
+  reference operator*() const { return *at; }
+  StoppableText& operator++() {
+    ++at;
+    return *this;
+  }
+  bool operator!=(const StoppableText& end) const { return at != end.at && !is_set(stop); }
+};
+
+// The file's object. It must hold at least one certificate of either kind. Empty if stopped.
+Json file_from(const std::string& text, const std::string& where, const StopFlag* stop) {
+  const char* const end = text.data() + text.size();
+  Json json = Json::parse(StoppableText{text.data(), stop}, StoppableText{end, stop}, nullptr, false);
+  if (is_set(stop)) return Json::object();
   if (json.is_discarded())
     throw InputError(where, "", "", "is not JSON; must be a file written by equipoise certify -o");
   if (!json.is_object() || json.value("format", Json()) != format_name)
@@ -262,15 +284,16 @@ Json file_from(const std::string& text, const std::string& where) {
 constexpr auto of_state = [](auto& archive, auto& certificate) { state_entries(archive, certificate); };
 constexpr auto of_member = [](auto& archive, auto& certificate) { member_entries(archive, certificate); };
 
-// The certificates of one of the file's arrays, if present.
+// The certificates of one of the file's arrays, if present; once `stop` is set, only the first of them.
 template <class AnyCertificate, class Entries>
-std::vector<AnyCertificate> list_from(const Json& file, const char* key, const std::string& where,
+std::vector<AnyCertificate> list_from(const Json& file, const char* key, const std::string& where, const StopFlag* stop,
                                       const Entries& entries) {
   std::vector<AnyCertificate> result;
   const auto list = file.find(key);
   if (list == file.end()) return result;
   if (!list->is_array()) throw InputError(where, key, "", "must be an array");
   for (const Json& entry : *list) {
+    if (is_set(stop)) break;
     const Reader reader(entry, where, fmt::format("{}[{}]", key, result.size()));
     entries(reader, result.emplace_back());
   }
@@ -315,17 +338,17 @@ std::string certificates_json(const CertifyResult& result) {
   return proved.states.empty() && proved.members.empty() ? "" : certificates_json(proved);
 }
 
-Certificates certificates_from_json(const std::string& text, const std::string& where) {
-  const Json file = file_from(text, where);
+Certificates certificates_from_json(const std::string& text, const std::string& where, const StopFlag* stop) {
+  const Json file = file_from(text, where, stop);
   Certificates certificates;
-  certificates.states = list_from<Certificate>(file, "certificates", where, of_state);
-  certificates.members = list_from<MemberCertificate>(file, "members", where, of_member);
+  certificates.states = list_from<Certificate>(file, "certificates", where, stop, of_state);
+  certificates.members = list_from<MemberCertificate>(file, "members", where, stop, of_member);
   return certificates;
 }
 
 CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop) {
   CertificateFile file{where, {}, {}};
-  Certificates read = certificates_from_json(text, where);
+  Certificates read = certificates_from_json(text, where, stop);
   for (Certificate& c : read.states) file.states.emplace_back().certificate = std::move(c);
   for (MemberCertificate& c : read.members) file.members.emplace_back().certificate = std::move(c);
   for (StateProof& s : file.states) s.check = check_certificate(s.certificate, stop);

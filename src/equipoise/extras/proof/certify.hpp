@@ -121,11 +121,11 @@ std::string certificates_json(const Certificates& certificates);
 std::string certificates_json(const CertifyResult& result);
 
 /// Reads what certificates_json() wrote. Throws InputError, naming `where` and the key, for anything else. Whether a
-/// certificate is valid is checked by check_certificate() and check_member().
-Certificates certificates_from_json(const std::string& text, const std::string& where);
+/// certificate is valid is checked by check_certificate() and check_member(). Once `stop` is set, some may be missing.
+Certificates certificates_from_json(const std::string& text, const std::string& where, const StopFlag* stop = nullptr);
 
 /// Reads such a text and checks each certificate from its own data. Throws what certificates_from_json() throws.
-/// Once `stop` is set, what has not been checked counts as not proved.
+/// Once `stop` is set, what has not been read is missing and what has not been checked counts as not proved.
 CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise
