@@ -78,6 +78,11 @@ class Results(unittest.TestCase):
         self.assertIn("distances from 1 to 8 pixels; from each distance to its double it is", " ".join(text.split()))
         self.assertEqual(sum(int(count) for count in re.findall(r"^ +-?\d+  .* (\d+) +[\d.]+ % ", text, re.M)), 4096 - 64)
 
+    def test_balls_that_a_tie_puts_in_one_place_are_counted_in_all_pixels(self):
+        text = run("map", ROW, "--set", "balancer.balls=3", "--size", "4x4", "--tie", "phi_3=phi_2", "--quiet").stdout
+        self.assertIn("All 16 pixels start some alike balls in one place, as you set them.", text)
+        self.assertIn("4 of them start further alike balls in one place", text)
+
     def test_parameters_units_and_ties(self):
         done = run("map", DRIVE, "--x", "speed.final", "--x-range", "9000 rpm:11000 rpm", "--y", "initial.phi_1", "--size", "2x2",
                    "--tie", "phi_2=phi_1+pi/3", "--json", "--quiet")

@@ -46,9 +46,12 @@ TEST(InvariantPixels, NeedBallsThatAreAlikeInMassDragAndRate) {
 // Balls 2 and 3 start as one in the whole plane; that is what the study says.
 TEST(InvariantPixels, LeaveOutNothingThatHoldsForTheWholePlane) {
   EXPECT_EQ(InvariantPixels(plane(three, first, {"rotor.eccentricity", 0.01, 0.02, 4})).count(), 0u);
+  EXPECT_TRUE(InvariantPixels(plane(three, first, {"rotor.eccentricity", 0.01, 0.02, 4})).everywhere());
+  EXPECT_FALSE(InvariantPixels(plane(constant_speed, first, second)).everywhere());
   BasinSlice tied = plane(constant_speed, first, {"rotor.eccentricity", 0.01, 0.02, 4});
   tied.links = {{2, 1, 0.0}};
   EXPECT_EQ(InvariantPixels(tied).count(), 0u);
+  EXPECT_TRUE(InvariantPixels(tied).everywhere());
   EXPECT_EQ(InvariantPixels(plane(constant_speed, {"initial.phi_1", 0.0, two_pi, 1}, {"initial.phi_2", 0.0, two_pi, 1}))
                 .count(),
             0u);

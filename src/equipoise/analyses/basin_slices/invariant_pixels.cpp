@@ -36,6 +36,8 @@ InvariantPixels::InvariantPixels(const BasinSlice& plane) {
       if (varies(pair.angle_of_column) || varies(pair.angle_of_row) || varies(pair.rate_of_column) ||
           varies(pair.rate_of_row))
         pairs_.push_back(std::move(pair));
+      else
+        everywhere_ = everywhere_ || model::coincide(p, i, k, corner.phi.data(), corner.phi_dot.data());
     }
   if (pairs_.empty()) return;
   for (int row = 0; row < plane.y.pixels; ++row)
@@ -43,6 +45,7 @@ InvariantPixels::InvariantPixels(const BasinSlice& plane) {
   if (count_ < static_cast<std::uint64_t>(plane.x.pixels) * static_cast<std::uint64_t>(plane.y.pixels)) return;
   pairs_.clear();
   count_ = 0;
+  everywhere_ = true;
 }
 
 bool InvariantPixels::holds(int column, int row) const {

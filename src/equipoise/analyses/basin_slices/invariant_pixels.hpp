@@ -20,6 +20,8 @@ class InvariantPixels {
   bool holds(int column, int row) const;
   /// In the whole plane. 0 if they are all there is.
   std::uint64_t count() const { return count_; }
+  /// Whether every pixel starts some alike balls in one place, which no count includes.
+  bool everywhere() const { return everywhere_; }
 
  private:
   // How far one ball of a pair is ahead of the other: the sum of what column and row give.
@@ -31,6 +33,7 @@ class InvariantPixels {
   };
   std::vector<Pair> pairs_;  // those that the plane moves apart
   std::uint64_t count_ = 0;
+  bool everywhere_ = false;
 };
 
 }  // namespace equipoise

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/start_text.hpp"
@@ -133,13 +134,18 @@ Document document_of(const BasinSlice& map) {
     document.add(std::move(table));
   }
   if (DocumentTable figures = figures_table(map.figures); !figures.rows.empty()) document.add(std::move(figures));
+  const bool collide = map.study.parameters.balls_collide(), everywhere = !collide && InvariantPixels(map).everywhere();
+  if (everywhere)
+    document.add(
+        Paragraph{fmt::format("All {} pixels start some alike balls in one place, as you set them.", map.pixels)});
   if (map.pixels_left_out > 0)
     document.add(Paragraph{fmt::format(
         fmt::runtime(
-            map.study.parameters.balls_collide()
-                ? "In {} pixels balls would overlap, which is not a start; shares and figures leave them out."
-                : "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them "
-                  "out."),
+            collide      ? "In {} pixels balls would overlap, which is not a start; shares and figures leave them out."
+            : everywhere ? "{} of them start further alike balls in one place, a set of probability zero; shares and "
+                           "figures leave these out."
+                         : "{} pixels start alike balls in one place, a set of probability zero; shares and figures "
+                           "leave them out."),
         map.pixels_left_out)});
   std::string words = fmt::format("{} pixels, a start each, followed until it is known where it ends.", map.pixels);
   if (map.pixels_kept > 0)
