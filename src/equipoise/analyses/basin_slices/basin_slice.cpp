@@ -182,7 +182,7 @@ void SliceAssembly::add_row(int row, const SlicePixel* pixels) {
     while (end < columns && codes[end] == codes[begin]) ++end;
     counts_[codes[begin]] += end - begin;
   }
-  figures_.add_row(codes.data());
+  if (!counts_.contains(not_computed_code)) figures_.add_row(codes.data());  // only a complete map has any
   if (row % every_ == first_of(every_)) hold(pixels);
 }
 

@@ -30,10 +30,8 @@ StabilityPlane drawn_part(const StabilityPlane& plane) {
   const int every =
       std::min((longest + most_drawn_pixels - 1) / most_drawn_pixels, std::min(plane.x.pixels, plane.y.pixels));
   if (every <= 1) return plane;
-  StabilityPlane part = plane;
-  part.x = thinned(plane.x, every);
-  part.y = thinned(plane.y, every);
-  part.points.clear();
+  StabilityPlane part{plane, plane.study, thinned(plane.x, every), thinned(plane.y, every),
+                      {},    plane.own,   plane.complete};
   for (int row = first_of(every); row < plane.y.pixels; row += every)
     for (int column = first_of(every); column < plane.x.pixels; column += every)
       part.points.push_back(plane.points[plane.at(column, row)]);
