@@ -245,6 +245,19 @@ DesignResult chosen_of(const DesignProblem& problem, const std::vector<DesignSet
   return r;
 }
 
+TEST(DesignWords, SayThatNoOtherDesignWasTried) {
+  DesignResult r =
+      chosen_of(problem_of(oiled_design + "\"balancer.ball_diameter\" = { stock = [\"9 mm\", \"13 mm\"] }\n"),
+                {{"balancer.ball_diameter", "10 mm"}});
+  r.front[0].as_it_is = true;
+  r.candidates = 1;
+  r.partial = true;
+  EXPECT_EQ(design_verdict(r).words,
+            "PARTIAL: No other design was tried in the time. Allow more, or lower design.starts.");
+  r.candidates = 2;
+  EXPECT_EQ(design_verdict(r).words, "PARTIAL: Leave it as it is: nothing found is shown to be better.");
+}
+
 TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
   const DesignProblem problem = problem_of(oiled_design +
                                            "\"balancer.ball_diameter\" = { stock = [\"9 mm\", \"13 mm\"] }\n"
