@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/studies.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/core/running/stage_progress.hpp"
 
 namespace equipoise {
@@ -165,6 +167,20 @@ TEST(Stages, OfOneNameGoOnCountingAndOthersBegin) {
   stages.begin("motions", 3);
   EXPECT_EQ(last.done, 0u);
   EXPECT_EQ(last.total, 3u);
+}
+
+// The first batch of slow starts may take long; until then it would seem that the search goes on.
+TEST(BasinProgress, CountsNoStartsAsSoonAsTheSearchIsOver) {
+  std::vector<Progress> starts;
+  BasinOptions options;
+  options.progress = [&](const Progress& p) {
+    if (!p.preparing) starts.push_back(p);
+  };
+  basin(parse_study(constant_speed + "[sampling]\nstarts = 20\n", "s"), options);
+  ASSERT_EQ(starts.size(), 2u);
+  EXPECT_EQ(starts[0].done, 0u);
+  EXPECT_FALSE(starts[0].balanced);
+  EXPECT_EQ(starts[1].done, 20u);
 }
 
 }  // namespace reporting_test

@@ -125,6 +125,7 @@ class BasinRun {
     for (Chunk& chunk : pilot_) commit(chunk);
     pilot_.clear();
     if (finished_ || unread_ || session_->stopped()) return;
+    report(*tally_);  // the search is over, which a first batch of slow starts would not show for long
     // Damage may have left gaps in the file.
     while (!finished_ && !lost_)
       lost_ = !compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_, [&](Chunk& chunk) {
@@ -171,7 +172,7 @@ class BasinRun {
         catalogue_->settle(chunk);
         for (const Outcome& outcome : chunk.outcomes) tally.add(outcome);
         pilot_.push_back(std::move(chunk));
-        report(tally, 0);
+        report(tally);
         return true;
       });
       lost_ = !whole || session_->stopped();
@@ -319,9 +320,11 @@ class BasinRun {
     return take_chunks(work, first, limit, take);
   }
 
-  void report(const Tally& tally, std::uint64_t limit) const {
-    if (options_.progress)
-      options_.progress({tally.total(), limit, "starts", tally.share(OutcomeKind::attracted, balanced_id).share});
+  void report(const Tally& tally) const {
+    if (!options_.progress) return;
+    Progress progress{tally.total(), options_.half_width > 0.0 ? 0 : limit_, "starts", std::nullopt};
+    if (progress.done > 0) progress.balanced = tally.share(OutcomeKind::attracted, balanced_id).share;
+    options_.progress(progress);
   }
 
   // Takes chunks in, in order. Starts that the file already held are skipped.
@@ -342,7 +345,7 @@ class BasinRun {
           *file_, result_.study, *sampler_, chunk, {begin, taken}, result_.own_starts,
           [&](std::uint64_t index) { return start(index); }, clock_.time());
     take_stored();
-    report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
+    report(*tally_);
   }
 
   // Names the outcome of a start whose motion the rule does not list. The motion decides, no matter when it was first

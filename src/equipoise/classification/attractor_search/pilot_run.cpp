@@ -113,6 +113,7 @@ bool PilotRun::follow(std::size_t count, const ClassificationRule& rule, double 
     for (std::size_t i = 0; i < count; ++i)
       if (outcomes[i].attractor == 0) visit(&states_[i * size]);
   };
+  stages.begin("pilot trajectories", count);  // also if an earlier run has followed them: what comes next has no stage
   const Followed followed = notes.answer(
       "pilot", stop,
       [&] {
@@ -146,7 +147,6 @@ bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double 
   const std::size_t chunk = chunk_for(threads);
   states_ = begin_;
   std::atomic<bool> complete{true};
-  stages.begin("pilot trajectories", count);
   in_parallel(threads, (count + chunk - 1) / chunk, [&](std::size_t k) {
     const std::size_t first = k * chunk, length = std::min(chunk, count - first);
     BatchTask task = task_;
