@@ -19,7 +19,7 @@ LONGEST = 35  # words in a sentence
 PLACES = {
     "comments": 4,
     "pages": 15,
-    "printed": 8,
+    "printed": 7,
 }
 
 # Sentences above the limit, by page.

@@ -25,8 +25,7 @@ namespace {
   const study::StatedValue stated = study::stated_release(study);
   throw RunError(
       fmt::format("the rotor could not be followed until the balls are released, by {} = {}; rotor.stiffness or "
-                  "rotor.damping may be "
-                  "too large, or [initial] too far from rest",
+                  "rotor.damping may be too large, or [initial] too far from rest",
                   stated.key, stated.text));
 }
 
