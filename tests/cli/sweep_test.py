@@ -218,7 +218,7 @@ class Job(Case):
 class Inspect(Case):
     def test_a_part_names_no_number_of_starts(self):
         path = self.path("x.nc")
-        self.assertNotEqual(run("basin", ROW, "--starts", "100000000", "--within", "1s", "--quiet", "-o", path).returncode, 0)
+        self.assertNotEqual(run("basin", ROW, "--starts", "100000000", "--within", "4s", "--quiet", "-o", path).returncode, 0)
         part = path + ".part" if os.path.exists(path + ".part") else path
         study = answer("inspect", part, quiet=False)["study"]
         self.assertNotIn("starts = 1\n", study)
