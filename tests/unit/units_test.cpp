@@ -181,7 +181,7 @@ TEST(Units, SayWhatIsWrong) {
       measure("3 s", {Dimension::speed}).problem,
       "\"s\" is a unit of something else; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
       "Hz (turns "
-      "a second)");
+      "per second)");
 }
 
 // What is meant has the dimension that is wanted.
