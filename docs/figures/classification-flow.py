@@ -1,10 +1,10 @@
-"""classification-flow.svg: the way of a start from its integration to its fate, as classification.md tells it. Nothing is computed."""
+"""classification-flow.svg: the way of a start from its integration to its outcome, as classification.md tells it. Nothing is computed."""
 
 from drawn_page import DARK, INK, PALE, QUIET, Page
 
 W, H = 860, 640
 page = Page(W, H, "How a start is classified")
-ASK, YES = 40, 560  # left edges: questions, fates
+ASK, YES = 40, 560  # left edges: questions, outcomes
 WIDE, FATE = 400, 262
 
 
@@ -15,7 +15,7 @@ def step(y, words, high=44, x=ASK, wide=WIDE, fill=PALE):
 
 
 def ask(y, words, fate, ground, high=58):
-    """A question; `yes` leads to a fate on the right."""
+    """A question; `yes` leads to an outcome on the right."""
     step(y, words, high, fill="#dcebf5")
     middle = y + high / 2
     page.line([(ASK + WIDE, middle), (YES, middle)], INK, 1.4, arrow=True)

@@ -42,6 +42,6 @@ for start in range(STARTS):
 bottom = TOP + LANES * ROW + 4
 page.line([(LEFT, bottom), (W - 24, bottom)], INK, 1.2, arrow=True)
 page.text((LEFT + W - 24) / 2, bottom + 22, "time", 14, INK, "middle")
-page.text(LEFT, bottom + 44, "A number is that of a start. Once its fate is known the next start takes the lane,\nat its own time 0 and with "
+page.text(LEFT, bottom + 44, "A number is that of a start. Once its outcome is known the next start takes the lane,\nat its own time 0 and with "
           "its own step. Thin bars are starts that begin in a trapping region.", 13, QUIET)
 page.write(__file__)

@@ -114,5 +114,5 @@ page.text(*at(0.113, -1.77), "tube around the orbit V1", 15, DARK["co-drifting (
 page.dot(*at(0.0755, 0.33), 4.5, "#ffffff", INK)
 page.text(at(0.0755, 0)[0] + 12, at(0, 0.33)[1] + 5, "a start", 14)
 page.dot(*at(0.09, 0.33), 5.5, QUIET, "#ffffff")
-page.text(at(0.09, 0)[0] + 12, at(0, 0.33)[1] + 5, "its fate is known", 14)
+page.text(at(0.09, 0)[0] + 12, at(0, 0.33)[1] + 5, "its outcome is known", 14)
 page.write(__file__)
