@@ -21,7 +21,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
-#include "equipoise/results/types/codes.hpp"
+#include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
@@ -53,7 +53,7 @@ Json told_runs(const std::vector<OneBodyRun>& runs, Bulk& bulk) {
   for (const OneBodyRun& run : runs) {
     outcomes.push_back(run.outcome);
     rows.push_back(run.row);
-    if (run.outcome.codes == OutcomeKind::attracted) outcomes.back().attractor = balanced_id;
+    if (run.outcome.kind == OutcomeKind::attracted) outcomes.back().attractor = balanced_id;
   }
   return told_rows(outcomes, rows, bulk);
 }
