@@ -351,7 +351,7 @@ void holds_in_its_file_what_it_holds(const BasinSlice& map) {
   EXPECT_TRUE(same_bits(r_max, map.r_max));
   file.read(file.variable("x"), {0}, {4}, x.data());
   EXPECT_EQ(x[3], map.x.centre(3));
-  EXPECT_EQ(file.attribute("study"), to_toml(map.study));
+  EXPECT_EQ(file.lines("study"), to_toml(map.study));
   std::filesystem::remove(path);
 }
 

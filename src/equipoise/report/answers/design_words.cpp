@@ -256,8 +256,8 @@ DesignVerdict design_verdict(const DesignResult& r) {
   const std::string things = best.as_it_is ? design_as_given : things_chosen(r.study, best.settings);
   const bool alone = r.limits.empty();
   if (best.as_it_is && r.partial && r.candidates == 1)
-    verdict.words =
-        fmt::format("{}No other design was tried in the time. Allow more, or lower design.starts.", partial);
+    verdict.words = fmt::format("{}{}No other design was tried in the time. Allow more, or lower design.starts.",
+                                partial, r.feasible && !alone ? "Leave it as it is: it keeps all requirements. " : "");
   else if (best.as_it_is ? r.feasible : as_good_before(r, now))
     verdict.words = fmt::format("{}Leave it as it is: {}nothing found is shown to be better.{}", partial,
                                 alone ? "" : "it keeps all requirements, and ",
