@@ -171,7 +171,7 @@ class Bounds(unittest.TestCase):
 
     @slow
     def test_both_of_two_that_are_compared_are_followed(self):
-        part = limited(2, *LONG["compare"])[0]
+        part = limited(4, *LONG["compare"])[0]
         self.assertIn("common starts", part.stdout)
         self.assertRegex(part.stderr, r"[1-9]\d* of 100000000 starts of both are done")
 
