@@ -45,7 +45,9 @@ class Stops(Case):
         long = ("--set", "rotor.stiffness=[1.4e7,1]")  # nearly the most that is followed for a turn
         out, _ = self.stopped("check", ROW, *long)
         self.assertIn("it was stopped", out)
-        self.stopped("explain", ROW, *long)
+        before = ended_cpu()
+        self.assertIn("to be followed here", run("explain", ROW, *STIFF).stdout)
+        self.assertLess(ended_cpu() - before, SOON)
         done = run("check", ROW, *long, "--within", "0.5s")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("out of time", done.stderr)
