@@ -74,7 +74,7 @@ void ensembles(const equipoise::Study& study) {
   bool here = true;
   options.progress = [&, caller = std::this_thread::get_id()](const equipoise::Progress& p) {
     here = here && std::this_thread::get_id() == caller;
-    here = here && (p.preparing || (p.done <= p.total && p.balanced.has_value()));
+    here = here && (p.preparing || (p.done <= p.total && p.balanced.has_value() == (p.done > 0)));
   };
   const equipoise::BasinResult answer = equipoise::basin(study, options);
   const equipoise::Share& balanced = answer.attractors.front().share;
