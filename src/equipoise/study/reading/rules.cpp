@@ -201,7 +201,6 @@ void check_speed(const Study& study, const Refuse& refuse) {
 void check_release(const Study& study, const Refuse& refuse) {
   const ReleaseSetting& release = study.release;
   if (release.speed && release.time) refuse("release.time", "give either release.speed or release.time, not both");
-  if (release.time) check_times("release.time", {*release.time}, study.scales, refuse);
   if (!release.speed || study.speed.driven()) return;
   const model::SpeedProfile profile = study.speed_profile();
   if (!profile.first_time_at(*release.speed))
