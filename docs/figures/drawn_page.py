@@ -28,10 +28,10 @@ def program(*arguments):
 
 
 def simulate(until, every, *settings, study=STUDY):
-    """Rows of a trajectory, each a dictionary of numbers."""
+    """Rows of a trajectory, each a dictionary of numbers; names without the units that those of a machine have."""
     sets = [word for one in settings for word in ("--set", one)]
     text = program("simulate", study, "--until", until, "--every", every, *sets)
-    return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(text))]
+    return [{name.partition(" (")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(text))]
 
 
 def fate(start, *options, study=STUDY):

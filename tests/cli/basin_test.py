@@ -6,7 +6,6 @@
 import json
 import math
 import os
-import pty
 import signal
 import subprocess
 import sys
@@ -14,7 +13,8 @@ import tempfile
 import time
 
 from program import (
-    DRIVE, EASY, PROGRAM, ROW, STUDIES, WASHER, Case, answer, interrupted, main, run, slow, started, with_xarray)
+    DRIVE, EASY, PROGRAM, ROW, STUDIES, WASHER, Case, answer, interrupted, main, on_a_terminal, run, slow, started,
+    with_xarray)
 
 # What xarray finds in a file: everything, what has no words, and what concerns the run rather than its result.
 XARRAY = """
@@ -327,20 +327,8 @@ horizon = "20 s"
 
     @slow
     def test_bar_on_a_terminal(self):
-        pid, terminal = pty.fork()
-        if pid == 0:
-            os.execv(PROGRAM, [PROGRAM, "basin", ROW, "--starts", "150000"])
-        seen = b""
-        while True:
-            try:
-                part = os.read(terminal, 65536)
-            except OSError:
-                break
-            if not part:
-                break
-            seen += part
-        _, status = os.waitpid(pid, 0)
-        self.assertEqual(os.waitstatus_to_exitcode(status), 0)
+        code, seen = on_a_terminal("basin", ROW, "--starts", "150000")
+        self.assertEqual(code, 0)
         self.assertRegex(seen.decode(), r"\r\[#*\.+\] +\d+ % +\d+ of 150000 .*balanced")
 
 

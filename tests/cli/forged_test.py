@@ -31,7 +31,7 @@ class Forged(Case):
         self.assertNotIn("\x1b", done.stdout + done.stderr)
 
     def damaged(self, path, words):
-        """What other commands refuse is no complete result."""
+        """What other commands refuse is not a complete result."""
         done = run("inspect", path)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn(words, done.stdout)

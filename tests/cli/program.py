@@ -3,6 +3,7 @@ import base64
 import csv
 import json
 import os
+import pty
 import resource
 import signal
 import struct
@@ -71,6 +72,23 @@ def answer(*arguments, quiet=True):
     if done.returncode != 0 or done.stderr:
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
     return json.loads(done.stdout)
+
+
+def on_a_terminal(*arguments, **environment):
+    """Exit code and all bytes that a terminal gets."""
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.execve(PROGRAM, [PROGRAM, *arguments], {**os.environ, **environment})
+    seen = b""
+    while True:
+        try:
+            part = os.read(terminal, 65536)
+        except OSError:
+            break
+        if not part:
+            break
+        seen += part
+    return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]), seen
 
 
 def started(*arguments):

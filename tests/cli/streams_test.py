@@ -5,12 +5,11 @@
 """
 import json
 import os
-import pty
 import signal
 import subprocess
 import time
 
-from program import EASY, PROGRAM, ROW, Case, main, run
+from program import EASY, PROGRAM, ROW, Case, main, on_a_terminal, run
 
 FEW = ("--starts", "10", "--quiet")
 
@@ -22,24 +21,9 @@ def shell(command, **options):
 
 
 class Encodings(Case):
-    def said_on_a_terminal(self, locale):
-        pid, terminal = pty.fork()
-        if pid == 0:
-            os.execve(PROGRAM, [PROGRAM, "sweep", *EASY, "--over", "speed.final=2.4,2.5", *FEW], {**os.environ, "LC_ALL": locale})
-        seen = b""
-        while True:
-            try:
-                part = os.read(terminal, 65536)
-            except OSError:
-                break
-            if not part:
-                break
-            seen += part
-        os.waitpid(pid, 0)
-        return seen
-
     def test_a_terminal_of_another_encoding_gets_letters_for_signs(self):
-        plain, signs = (self.said_on_a_terminal(locale) for locale in ("C", "C.UTF-8"))
+        plain, signs = (on_a_terminal("sweep", *EASY, "--over", "speed.final=2.4,2.5", *FEW, LC_ALL=locale)[1]
+                        for locale in ("C", "C.UTF-8"))
         self.assertIn("±".encode(), signs)
         self.assertTrue(plain.isascii(), plain)
         self.assertIn(b"+-", plain)

@@ -125,7 +125,7 @@ TEST(HeldBalls, OfAMotorThatIsTooWeakAreNeverLetGo) {
     EXPECT_TRUE(spun.is_over(i));
     // Vibration takes torque, and the motor has none at its no-load speed.
     EXPECT_LT(spun.outcomes[i].mean_speed, 2.0);
-    EXPECT_LT(spun.outcomes[i].time, 60000.0) << "told before the horizon";
+    EXPECT_LT(spun.outcomes[i].time, 60000.0) << "decided before the horizon";
     EXPECT_LT(spun.nearest[i], 2.0);
     const double stall = study.stall_speed();
     EXPECT_EQ(spun.outcomes[i].kind,

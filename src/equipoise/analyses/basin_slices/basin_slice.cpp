@@ -202,6 +202,7 @@ void SliceAssembly::finish() {
   const std::uint64_t missing = counts_[not_computed_code];
   map_.complete = map_.pixels_computed == map_.pixels;
   map_.pixels_left_out = invariant_.count();
+  map_.balls_together = invariant_.everywhere();
   for (OutcomeShare& code : map_.codes)
     code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - map_.pixels_left_out - missing);
   if (map_.complete && !draws_starts(map_)) map_.figures = figures_.figures();

@@ -247,7 +247,7 @@ class CapacityRun final : public SurveyRun {
     for (std::size_t cell = 0; cell < plan_.cells() && !is_set(options_.stop); ++cell)
       for (const double part : {0.0, 1.0 / scan, 1.0}) {  // between the ends, a key of whole numbers shows itself
         const double value = few_digits(options_.from + (options_.to - options_.from) * part);
-        check_runnable(capacity_study(plan_, options_, cell, value), plan_.transients());
+        check_decidable_as_read(capacity_study(plan_, options_, cell, value), plan_.transients());
       }
   }
 

@@ -102,7 +102,7 @@ void check_tilting(const Study& study) {
            "balls of a rotor with rotor.tilt that a motor drives are free from the beginning, without [release]");
   if (study.speed.driven() && study.system().coasts())
     refuse({"speed.torque", "0 in the end"},
-           "with rotor.tilt, starts of a rotor that coasts in the end cannot be decided (simulate follows one)");
+           "with rotor.tilt, starts of a rotor that ends up coasting cannot be decided (simulate follows one)");
 }
 
 // Throws InputError if the spin-up with clamped balls is too long to look for peaks in it.

@@ -30,7 +30,7 @@ class PathRegion {
  public:
   /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
   /// periodic, too slow an approach, too many exchange images, Floquet vectors that double precision cannot separate,
-  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; null, too, if
+  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; also null if
   /// few of them have it.
   static std::shared_ptr<PathRegion> around(const model::System& system, const Motion& motion, int attractor,
                                             const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/start_text.hpp"
@@ -134,7 +133,7 @@ Document document_of(const BasinSlice& map) {
     document.add(std::move(table));
   }
   if (DocumentTable figures = figures_table(map.figures); !figures.rows.empty()) document.add(std::move(figures));
-  const bool collide = map.study.parameters.balls_collide(), everywhere = !collide && InvariantPixels(map).everywhere();
+  const bool collide = map.study.parameters.balls_collide(), everywhere = !collide && map.balls_together;
   if (everywhere)
     document.add(
         Paragraph{fmt::format("All {} pixels start some alike balls in one place, as you set them.", map.pixels)});

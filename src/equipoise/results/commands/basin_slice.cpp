@@ -46,6 +46,7 @@ BasinSlice thinned(const BasinSlice& map, int most) {
   result.pixels = map.pixels;
   result.pixels_computed = map.pixels_computed;
   result.pixels_left_out = map.pixels_left_out;
+  result.balls_together = map.balls_together;
   return result;
 }
 

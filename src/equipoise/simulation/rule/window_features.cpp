@@ -111,13 +111,11 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
 
 namespace {
 
-// Whether the radius in a rotor's window is less than half of its motion's, which looks like `motion` at the middle:
-// then balance is nearer. If that motion causes little vibration on this rotor, the window may agree with both. `f` has
-// been brought back with the rotor's shifts.
-bool is_nearer_balance(const Features& f, const Features& motion, int trend, const double* shifts, int balls) {
-  if (!shifts || trend < 0) return false;
-  const double own = shifts[trend * feature_count(balls) + 1];
-  return f[1] + own < 0.5 * std::fabs(motion[1] + own);
+// Whether the radius in a rotor's window is less than half of that of its motion, which is `at_middle` at the middle:
+// then balance is nearer. If that motion causes little vibration on this rotor, the window may agree with both.
+bool is_nearer_balance(double radius, double at_middle, int attractor, int trend, const double* shifts, int balls) {
+  if (attractor == balanced_id || !shifts || trend < 0) return false;
+  return radius < 0.5 * std::fabs(at_middle + shifts[trend * feature_count(balls) + 1]);
 }
 
 }  // namespace
@@ -130,7 +128,7 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
   for (const KnownFeatures& k : known) {
     const Features f = brought_back(own, k.trend, shifts, balls);
     if (!same_motion(k.features, f, balls, tolerance)) continue;
-    if (k.attractor != balanced_id && is_nearer_balance(f, k.features, k.trend, shifts, balls)) continue;
+    if (is_nearer_balance(own[1], k.features[1], k.attractor, k.trend, shifts, balls)) continue;
     // Where rotors differ, two motions that look alike may be one motion before and after a bifurcation.
     if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
     first = k.attractor;
@@ -187,11 +185,8 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
 
 bool WindowTracker::shows(const FeatureBox& box, const Features& f) const {
   const int balls = rule_->balls;
-  const Features back = brought_back(f, box.trend, shifts_of(own_), balls);
-  if (!inside(box, back, balls)) return false;
-  Features centre{};
-  centre[1] = 0.5 * (box.low[1] + box.high[1]);
-  return box.attractor == balanced_id || !is_nearer_balance(back, centre, box.trend, shifts_of(own_), balls);
+  return inside(box, brought_back(f, box.trend, shifts_of(own_), balls), balls) &&
+         !is_nearer_balance(f[1], 0.5 * (box.low[1] + box.high[1]), box.attractor, box.trend, shifts_of(own_), balls);
 }
 
 int WindowTracker::attractor_now() const {

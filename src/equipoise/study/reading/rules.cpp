@@ -84,15 +84,20 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
 // A rotor is not brought to speed for longer, and a change of speed that takes less is a jump.
 constexpr double shortest_time = 1e-12, longest_time = 1e8;
 
-void check_time(const std::string& key, double time, const std::optional<model::Scales>& scales, const Refuse& refuse) {
-  if (time >= shortest_time && time <= longest_time) return;
+bool is_allowed(double time) { return time >= shortest_time && time <= longest_time; }
+
+// Draws of uncertain values come by here, so the key is put together only for a refusal.
+void check_time(const std::string& table, const char* key, double time, const std::optional<model::Scales>& scales,
+                const Refuse& refuse) {
+  if (is_allowed(time)) return;
   const auto shown = [&](double t) { return in_own_unit(t, Dimension::time, scales); };
-  refuse(key, fmt::format("must be from {} to {}", shown(shortest_time), shown(longest_time)));
+  refuse(fmt::format("{}.{}", table, key),
+         fmt::format("must be from {} to {}", shown(shortest_time), shown(longest_time)));
 }
-void check_times(const std::string& key, const std::vector<double>& times, const std::optional<model::Scales>& scales,
+void check_times(const std::string& table, const std::vector<double>& times, const std::optional<model::Scales>& scales,
                  const Refuse& refuse) {
   for (const double time : times)
-    if (time != 0.0) check_time(key, time, scales, refuse);
+    if (time != 0.0) check_time(table, "times", time, scales, refuse);
 }
 
 // Times or speeds must increase, and each needs a value.
@@ -129,15 +134,14 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const Study& 
   if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
     refuse(fmt::format("{}.until", table),
            fmt::format("must be at least {}, {}", "half_time", in_own_unit(ramp.half_time, Dimension::time, scales)));
-  const auto lasts = [&](const char* key, double time) {
-    check_time(fmt::format("{}.{}", table, key), time, scales, refuse);
-  };
-  if (ramp.profile == Profile::ramp) lasts(study.states(table + ".run_up") ? "run_up" : "duration", ramp.duration);
+  const auto lasts = [&](const char* key, double time) { check_time(table, key, time, scales, refuse); };
+  if (ramp.profile == Profile::ramp && !is_allowed(ramp.duration))
+    lasts(study.states(table + ".run_up") ? "run_up" : "duration", ramp.duration);
   if (ramp.profile == Profile::trapezoid) {
     lasts("rise_until", ramp.rise_until);
     lasts("fall_until", ramp.fall_until);
   }
-  if (ramp.profile == Profile::points) check_times(table + ".times", ramp.times, scales, refuse);
+  if (ramp.profile == Profile::points) check_times(table, ramp.times, scales, refuse);
   if (ramp.profile == Profile::hill) {
     lasts("half_time", ramp.half_time);
     if (const double end = ramp_profile(ramp).times.back(); !(end <= longest_time))
@@ -155,10 +159,10 @@ void check_torque(const Study& study, const Refuse& refuse) {
   const std::string table = "speed.torque";
   if (motor.kind == Kind::table) {
     check_points(table, true, motor.times, "values", motor.values, scales, refuse);
-    check_times(table + ".times", motor.times, scales, refuse);
+    check_times(table, motor.times, scales, refuse);
   }
   if (motor.kind == Kind::control) check_ramp(motor.target, table + ".target", study, refuse);
-  if (motor.until) check_times(table + ".until", {*motor.until}, scales, refuse);
+  if (motor.until && *motor.until != 0.0) check_time(table, "until", *motor.until, scales, refuse);
   if (motor.kind != Kind::curve) return;
   check_points(table, false, motor.speeds, "values", motor.values, scales, refuse);
   const std::size_t points = motor.speeds.size();
