@@ -122,8 +122,8 @@ TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {
 TEST(LongLivedChaos, IsAnOutcomeWithALifetime) {
   model::Parameters p = base_rotor(3, 0.074, 0.0448);
   p.eccentricity = 0.0295;
-  p.damping = {0.361, 0.361};
-  Study study = study_of(p, 1.8376);
+  p.damping = {0.37, 0.37};
+  Study study = study_of(p, 1.82);
   study.numerics.horizon = 14000.0;
   study.sampling.starts = 24;
   BasinOptions options;
@@ -151,6 +151,23 @@ TEST(LongLivedChaos, IsAnOutcomeWithALifetime) {
   EXPECT_EQ(r.chaos->escapes, left);
   EXPECT_DOUBLE_EQ(r.chaos->watched, watched);
   EXPECT_NE(r.note.find("long-lived chaos may end"), std::string::npos) << r.note;
+}
+
+// Windows of this chaos differ by more than a listed attractor's may. Most starts are in it until the horizon, where
+// its means name it. Before that, 44 of 60 starts were called "long-lived chaos" and 16 "drifting apart"; an
+// independent integration (RK4 in fixed axes, to 60 000) of nine of them finds one exponent, .068 to .071, and one
+// drift.
+TEST(ListedChaos, HasOneName) {
+  model::Parameters p = base_rotor(2, 0.01739, 0.0329);
+  p.eccentricity = 0.01665;
+  p.damping = {0.0624, 0.0624};
+  Study study = study_of(p, 1.4101);
+  study.sampling.starts = sized(600, 60);
+  const BasinResult r = basin(study);
+  std::uint64_t listed = 0;
+  for (const OutcomeShare& a : r.attractors)
+    if (a.name.starts_with("drifting apart")) listed = std::max(listed, a.share.count);
+  EXPECT_GE(listed, study.sampling.starts - study.sampling.starts / 60) << r.note;
 }
 
 // Few starts leave this chaos before 10 000. The search knows the motions in which they end, although none of its

@@ -179,7 +179,7 @@ class Discoverer {
     const std::vector<Outcome> outcomes = s_.outcomes_of(candidates_, later, pilot_windows);
     std::vector<Candidate> unknown;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (outcomes[k].attractor == 0)
+      if (outcomes[k].kind != OutcomeKind::attracted || outcomes[k].attractor == 0)
         unknown.push_back(std::move(candidates_[k]));
       else if (const Attractor* a = s_.result.catalogue.find(outcomes[k].attractor)) {
         Candidate& c = candidates_[k];

@@ -97,8 +97,11 @@ bool Session::Batch::finish(Decided& decided) {
     std::optional<UnlistedStart> unlisted;
     std::optional<MotionFigures> end;  // of its motion, if known
     // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
-    const bool left = is_left(i), open = left && follows_open(i);
-    if (open) outcome.kind = OutcomeKind::attracted;
+    const bool left = is_left(i), in_listed_chaos = left && is_in_listed_chaos(i);
+    if (!in_listed_chaos && outcome.kind == OutcomeKind::undecided) outcome.attractor = 0;
+    if (in_listed_chaos) outcome.by = DecidedBy::horizon;
+    const bool open = left && !in_listed_chaos && follows_open(i);
+    if (open || in_listed_chaos) outcome.kind = OutcomeKind::attracted;
     const bool arrives = outcome.kind == OutcomeKind::attracted;
     if (arrives && outcome.attractor <= 0) {
       unlisted = follow_on(i, open);
@@ -175,6 +178,11 @@ std::optional<UnlistedStart> Session::Batch::follow_on(std::size_t i, bool open)
 bool Session::Batch::is_in_chaos(std::size_t i, const std::vector<double>& state, double followed) const {
   if (!system(i).smooth() || s_.system_.coasts() || followed - s_.settled() < lasting_chaos) return false;
   return look_at_undecided(system(i), vector_of(state)).what == Restlessness::chaotic;
+}
+
+// Undecided at the horizon, with windows whose means are those of listed chaos.
+bool Session::Batch::is_in_listed_chaos(std::size_t i) const {
+  return outcomes_[i].attractor > 0 && is_in_chaos(i, when_recognised(i, outcomes_[i].time), outcomes_[i].time);
 }
 
 UnlistedStart Session::Batch::in_chaos(std::size_t i, double now) const {

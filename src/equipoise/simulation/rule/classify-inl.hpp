@@ -114,6 +114,8 @@ class ClassifyOutcome {
     if (outcome.kind == OutcomeKind::attracted) {
       outcome.attractor = static_cast<short>(verdict.attractor);
       outcome.by = verdict.by;
+    } else if (how == BatchEnd::reached_end && outcome.kind == OutcomeKind::undecided && !pilot_) {
+      outcome.attractor = static_cast<short>(trackers_[slot].chaos_at_end());  // what it may be, if it is chaotic
     }
     if (pilot_) {
       (*pilot_)[start] = trackers_[slot].record();

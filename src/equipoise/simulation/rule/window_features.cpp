@@ -118,6 +118,22 @@ bool is_nearer_balance(double radius, double at_middle, int attractor, int trend
   return radius < 0.5 * std::fabs(at_middle + shifts[trend * feature_count(balls) + 1]);
 }
 
+// How far chaos in two windows differs in its means: rms r, mean rates of balls, mean psi'; the largest difference as a
+// share of the largest such mean. Extremes of chaos grow with the length of the window.
+double difference_in_means(const Features& a, const Features& b, int balls) {
+  const int speed = speed_feature(balls);
+  double rate = rest_rate, apart = 0.0;
+  for (int i = 3; i < speed; i += 3) {
+    rate = std::max({rate, std::fabs(a[i]), std::fabs(b[i])});
+    apart = std::max(apart, std::fabs(a[i] - b[i]));
+  }
+  const auto share = [&](int k) {
+    const double most = std::max(std::fabs(a[k]), std::fabs(b[k]));
+    return most > 0.0 ? std::fabs(a[k] - b[k]) / most : 0.0;
+  };
+  return std::max({apart / rate, share(2), share(speed)});
+}
+
 }  // namespace
 
 const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownFeatures>& known, int balls,
@@ -217,6 +233,11 @@ int WindowTracker::settled_at_end() const {
   return shown ? known->attractor : 0;
 }
 
+int WindowTracker::chaos_at_end() const {
+  const KnownFeatures* chaos = has_previous_ && !(own_ && own_->met) ? nearest_chaos(previous_) : nullptr;
+  return chaos ? chaos->attractor : 0;
+}
+
 double WindowTracker::mean_speed() const {
   if (has_previous_) return previous_[speed_feature(rule_->balls)];
   return has_half_ ? long_.rotor_turned / long_.duration : std::numeric_limits<double>::quiet_NaN();
@@ -262,12 +283,25 @@ const KnownFeatures* WindowTracker::known_by(const Features& f) const {
   return nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
 }
 
+const KnownFeatures* WindowTracker::nearest_chaos(const Features& f) const {
+  constexpr double other_window = 0.3;  // how far the means of one chaos may differ, also between two rotors
+  const KnownFeatures* nearest = nullptr;
+  double least = other_window;
+  for (const KnownFeatures& k : rule_->known) {
+    if (!k.chaotic) continue;
+    const Features back = brought_back(f, k.trend, shifts_of(own_), rule_->balls);
+    const double apart = difference_in_means(k.features, back, rule_->balls);
+    if (apart >= least) continue;
+    least = apart;
+    nearest = &k;
+  }
+  return nearest;
+}
+
 int WindowTracker::chaos_in(const Features& f, const KnownFeatures* known) const {
-  constexpr double other_rotor = 0.3;  // how far chaos of two rotors may differ
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
   const bool knows_its_own = own_ && own_->met;
-  if (!known && has_lasted && !knows_its_own && repeats_ == 0)
-    known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
+  if (!known && has_lasted && !knows_its_own && repeats_ == 0) known = nearest_chaos(f);
   return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }
 

@@ -71,6 +71,9 @@ class WindowTracker {
   /// The regular motion of the rule's list that a long trajectory has shown for its last fifth or more, although too
   /// late for long windows to repeat; 0 if there is none.
   int settled_at_end() const;
+  /// Listed chaos whose means are those of the last long window; 0 if there is none. Whether the trajectory is chaotic
+  /// is for the caller to find out.
+  int chaos_at_end() const;
 
  private:
   // Whether a short window lies in the box and is not nearer to balance than to the box's motion.
@@ -83,6 +86,8 @@ class WindowTracker {
   // The known motion with these long-window features, or null. If the rotor's own motions are known (OwnRotor::met),
   // the rule's, which may be a neighbour's, are not consulted.
   const KnownFeatures* known_by(const Features& f) const;
+  // The listed chaos with the nearest means; null if none is near.
+  const KnownFeatures* nearest_chaos(const Features& f) const;
   // The attractor if `known` is chaotic; else that of another rotor's similar chaos, if this one has lasted; 0 if none.
   int chaos_in(const Features& f, const KnownFeatures* known) const;
 
