@@ -102,7 +102,7 @@ def netcdf_page(folder):
 
 PYTHON = {
     "Studies": "study", "What is said of a study": "explanations", "Shares of starts": "ensembles", "Pages, and single starts": "pages",
-    "Two ensembles side by side": "comparisons", "Designs": "designs", "Motions and branches": "motions", "Maps": "maps",
+    "Two ensembles side by side": "comparisons", "Designs": "designs", "Attractors": "attractor", "Motions and branches": "motions", "Maps": "maps",
     "Stability in a plane": "stability_planes", "Curves in a plane": "charts", "Sweeps": "sweeps",
     "Capacities": "capacities", "Files of results": "files", "Trajectories": "trajectory", "States": "state", "The model itself": "model", "The paper": "paper",
     "What every result has": "results", "Errors": "errors",
@@ -113,7 +113,7 @@ def public(source):
     """Of each module the names that the package gives out, in the module's order."""
     text = (source / "python/equipoise/__init__.py").read_text()
     names = {module: set(re.findall(r"\w+", listed)) for module, listed in re.findall(r"^from \.(\w+) import (.+)$", text, re.MULTILINE)}
-    for module, name in (("model", "Known"), ("motions", "Path")):  # what public calls return
+    for module, name in (("attractor", "Path"),):  # what public calls return
         names[module].add(name)
     for module, wanted in names.items():
         written = (source / f"python/equipoise/{module}.py").read_text()

@@ -1,4 +1,6 @@
 // Ensembles: shares, comparisons, sensitivity.
+#include <array>
+#include <optional>
 #include <variant>
 
 #include <pybind11/stl.h>
@@ -11,6 +13,7 @@
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/core/statistics/share.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/results/io/netcdf.hpp"
@@ -212,6 +215,11 @@ void bind_ensembles(py::module_& module) {
     return names;
   });
   module.def("flag_word", &io::flag_word);
+  // share, low and high; of starts that stand for unlike cells, the sums of their weights are given, too
+  module.def("wilson", [](std::uint64_t count, std::uint64_t total, const std::optional<std::array<double, 3>>& weights) {
+    const Share s = weights ? wilson_share(count, total, (*weights)[0], (*weights)[1], (*weights)[2]) : wilson_share(count, total);
+    return std::array{s.share, s.low, s.high};
+  }, py::arg(), py::arg(), py::arg() = std::nullopt);
   bind_kept<ComparisonResult>(module, "Comparison", &result_text<ComparisonResult>)
       .def("verdict", made<ComparisonResult>(&verdict))
       .def("study", [](const Kept<ComparisonResult>& c) { return PyStudy::of(c.result.first); });

@@ -14,17 +14,18 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from .attractor import Attractor
 from .capacities import CapacityResult, capacity
-from .charts import ChartResult, Curve, Curves, SpecialPoint, chart, curve
+from .charts import ChartResult, Curve, SpecialPoint, chart
 from .comparisons import Comparison, Difference, compare
 from .designs import DesignResult, design
-from .ensembles import AttractorShare, BasinResult, basin
+from .ensembles import BasinResult, ShareBy, basin
 from .errors import Interrupted, RunError, StudyError, UndecidedWarning
 from .explanations import Explanation, StudyCheck, check, explain, machines, new
 from .files import CertificateCheck, Inspection, check_certificates, inspect, merge
 from .maps import MapResult, map
 from .model import Mapper, Model
-from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
+from .motions import AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
 from .pages import Replay, Report, replay, report
 from .paper import Reproduction, reproduce, reproducible
 from .stability_planes import StabilityResult, stability
@@ -39,12 +40,12 @@ if TYPE_CHECKING:
 __version__: str = _core.version
 
 __all__ = [
-    "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
-    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "Curves", "DesignResult", "Difference", "Explanation", "Inspection",
-    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "SpecialPoint", "StabilityResult",
+    "Attractor", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
+    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
+    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
     "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
-    "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "curve", "design", "explain", "follow", "inspect",
-    "machines", "map", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
+    "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
+    "machines", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
     "reproducible", "simulate", "stability", "sweep",
 ]
 

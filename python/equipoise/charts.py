@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from dataclasses import dataclass
 from html import escape
 from typing import Any, Optional
@@ -73,26 +72,6 @@ class SpecialPoint:
     y: float
     frequency: float
     second: float
-
-
-class Curves(list[Curve]):
-    """The curves of a chart.
-
-    Attributes
-    ----------
-    partial : bool
-        Whether the time ended before all were found.
-    """
-
-    def __init__(self, curves: Iterable[Curve], partial: bool) -> None:
-        super().__init__(curves)
-        self.partial = partial
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (list(self), self.partial)
-
-    def __repr__(self) -> str:
-        return f"<PARTIAL: stopped early: {super().__repr__()}>" if self.partial else super().__repr__()
 
 
 class ChartResult(Result):
@@ -181,16 +160,3 @@ def chart(
     with settings(threads, progress, cpu, within) as how:
         core = _core.chart(study._core, *axes, boxes, undecided, cycles, path_text(output), how)
     return unless_interrupted(ChartResult(core, study), core.interrupted)
-
-
-def curve(
-    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: Size = 64, *,
-    x_range: Range, y_range: Range, threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None,
-    within: WithinArgument = None,
-) -> Curves:
-    """The curves alone, as :func:`chart` finds them, in a list; nothing is proved. ``partial`` of it says whether its time was too short."""
-    made = chart(
-        study, x, y, size, x_range=x_range, y_range=y_range, boxes=0, threads=threads, progress=progress, cpu=cpu,
-        within=within,
-    )
-    return Curves(made.curves, made.partial)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -15,6 +15,7 @@ from . import _core
 from ._arguments import Array, LARGEST_SEED, MOST_STARTS, checked_study, flag, path_text, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
+from .attractor import Attractor, Shares
 from .errors import UndecidedWarning
 from .results import Result, flags, member, optional
 from .state import Frame, State, StateLike, starts_of
@@ -32,40 +33,6 @@ NO_ATTRACTOR: dict[int, str] = _core.no_attractors()
 _most_undecided = 0.01
 
 
-@dataclass(frozen=True)
-class AttractorShare:
-    """Starts that ended in one attractor.
-
-    Attributes
-    ----------
-    id : int
-        1 is balanced; the same for the same motion everywhere.
-    name, alias, kind : str
-        alias: V1 to V4, as Wright and Peng (2019) call them, or "".
-    count : int
-    share, low, high : float
-        Fraction of the starts with its 95 % interval.
-    numbers : dict[str, float]
-        The other numbers of the table of outcomes, by their names in ``data``, dimensionless.
-    mean_time : float
-        Mean time from the last branch's begin (and release) to the decision, in 1/omega_c; nan of no starts.
-    """
-
-    id: int
-    name: str
-    alias: str
-    kind: str
-    count: int
-    share: float
-    low: float
-    high: float
-    numbers: dict[str, float] = field(hash=False)
-
-    @property
-    def mean_time(self) -> float:
-        return self.numbers["mean_time"]
-
-
 def _of_every_start(result: BasinResult, name: str) -> Any:
     if name not in result.arrays:
         raise AttributeError(f"there is no {name} of every start: basin() was called with keep=False")
@@ -77,6 +44,16 @@ def _array(name: str) -> Any:
     return property(lambda self: _of_every_start(self, name))
 
 
+@dataclass(frozen=True)
+class ShareBy:
+    """A share that grows with time: `share` of the starts by the times `t`, with its 95 % interval by Wilson, `low` to `high`."""
+
+    t: Array
+    share: Array
+    low: Array
+    high: Array
+
+
 class BasinResult(Result):
     """Shares of the starts that end in each attractor, and every start.
 
@@ -84,10 +61,10 @@ class BasinResult(Result):
     ----------
     shares : dict[str, float]
         By name: the attractors, balanced first, then starts without one ("undecided", "diverged", "failed", "stalled")
-        if there are any; undecided is always there.
+        if there are any; undecided is always there. An outcome that no start came to is not listed and has 0.
     errors : dict[str, tuple[float, float]]
         95 % intervals of the same.
-    attractors : list[AttractorShare]
+    attractors : list[Attractor]
     labels : ndarray (starts,), int16
         Attractor of each start; 0 undecided, -1 diverged, -2 failed, -3 stalled (see ``names``).
     names : dict[int, str]
@@ -144,14 +121,8 @@ class BasinResult(Result):
         return self.data["undecided"]["share"]
 
     @property
-    def attractors(self) -> list[AttractorShare]:
-        return [
-            AttractorShare(
-                o["id"], o["name"], o["alias"] or "", o["kind"], o["count"], o["share"], o["low"], o["high"],
-                {name: float("nan") if o.get(name) is None else o[name] for name in _core.outcome_numbers()},
-            )
-            for o in self.data["outcomes"]
-        ]
+    def attractors(self) -> list[Attractor]:
+        return [Attractor(o, self.study) for o in self.data["outcomes"]]
 
     def _outcomes(self) -> list[tuple[str, dict[str, Any]]]:
         outcomes = [(o["name"], o) for o in self.data["outcomes"]]
@@ -163,16 +134,21 @@ class BasinResult(Result):
 
     @property
     def shares(self) -> dict[str, float]:
-        return {name: o["share"] for name, o in self._outcomes()}
+        return Shares({name: o["share"] for name, o in self._outcomes()}, 0.0)
 
     @property
     def errors(self) -> dict[str, tuple[float, float]]:
-        return {name: (o["low"], o["high"]) for name, o in self._outcomes()}
+        return Shares({name: (o["low"], o["high"]) for name, o in self._outcomes()}, self._of_nothing)
 
     @property
     def counts(self) -> dict[str, int]:
         """Starts by name."""
-        return {name: o["count"] for name, o in self._outcomes()}
+        return Shares({name: o["count"] for name, o in self._outcomes()}, 0)
+
+    @property
+    def _of_nothing(self) -> tuple[float, float]:
+        """The interval of an outcome that no start came to."""
+        return 0.0, _core.wilson(0, max(self.starts, 1))[2]
 
     @property
     def names(self) -> dict[int, str]:
@@ -200,6 +176,40 @@ class BasinResult(Result):
     def within_limits(self) -> dict[str, Any]:
         groups = self.data.get("transients", {}).get("groups")
         return groups[0]["within"] if groups else {}
+
+    def share_by(self, t: npt.ArrayLike, outcome: str = "balanced") -> ShareBy:
+        """Share of the starts that were known by a time to end in an outcome.
+
+        Parameters
+        ----------
+        t : float or array_like
+            Study times, in 1/omega_c.
+        outcome : str
+            Name or alias of an attractor, or "diverged", "failed", "stalled".
+
+        Returns
+        -------
+        ShareBy
+
+        Raises
+        ------
+        AttributeError
+            If the starts were not kept.
+        """
+        times = np.asarray(t, dtype=float)
+        codes = [code for code, name in self.names.items() if name == outcome]
+        codes += [a.id for a in self.attractors if outcome and a.alias == outcome]
+        ends = np.isin(self.labels, codes)
+        weight = self.arrays.get("weight")
+        order = np.argsort(self.decision_time[ends], kind="stable")
+        known = self.decision_time[ends][order]
+        sums = np.concatenate(([0.0], np.cumsum(weight[ends][order]))) if weight is not None else None
+        rows = []
+        for count in np.searchsorted(known, times.ravel(), side="right"):
+            sized = None if sums is None else (sums[count], weight.sum(), (weight**2).sum())
+            rows.append(_core.wilson(int(count), self.starts, sized))
+        share, low, high = np.array(rows, dtype=float).reshape(-1, 3).T
+        return ShareBy(times, *(values.reshape(times.shape) for values in (share, low, high)))
 
     def __repr__(self) -> str:
         parts = [
@@ -311,7 +321,8 @@ def basin(
     frame : {"rotating", "inertial"}, optional
         What the velocities of such rows are: x_dot and y_dot, or u and v.
     sensitivity : bool or int
-        For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from this many rows.
+        For a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from this many rows
+        (True: 512). If neither `starts` nor `half_width` is given, the shares are of as many starts.
     attractors : Mapper, optional
         For the same rotor, final speed and numerics: its search is used here and not repeated. The result has the same
         bits.
@@ -341,10 +352,12 @@ def basin(
     UndecidedWarning
         If more than 1 % of the starts are undecided.
     """
+    rows = sensitivity_rows(sensitivity)
+    if rows and half_width is None and initial is None:
+        starts = rows if starts is None else starts
     asked = with_starts(study, starts, seed, method)
     if initial is not None and starts is not None:
         refuse("starts", starts, "left out", "initial gives the starts, all of which are followed")
-    rows = sensitivity_rows(sensitivity)
     states = None if initial is None else starts_of("initial", initial, frame, asked)
     if states is not None and states.ndim == 2 and not len(states):
         refuse("initial", states, "one start or more")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -10,9 +10,10 @@ import numpy.typing as npt
 from . import _core
 from ._arguments import Array, angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
+from .attractor import Attractor, attractor_of
 from .ensembles import NO_ATTRACTOR
 from .errors import Interrupted
-from .state import Frame, State, StateLike, checked_frame, floats, no_frame, of_study, starts_of, state_on
+from .state import Frame, State, StateLike, checked_frame, floats, no_frame, of_study, starts_of
 from .study import Study
 
 
@@ -36,6 +37,9 @@ class Model:
     study : Study
     frame : {"rotating", "inertial"}, optional
         Of arrays that methods take: their velocities are x_dot and y_dot, or u and v. Methods accept another.
+    axis : {-1, 0}
+        Where the components of a state lie in arrays that methods take and ``rhs`` returns: in the last axis, or in the first,
+        as ``scipy.integrate.solve_ivp(..., vectorized=True)`` has them.
 
     Attributes
     ----------
@@ -54,10 +58,10 @@ class Model:
 
     Examples
     --------
-    >>> model = Model(study, frame="inertial")                        # doctest: +SKIP
+    >>> model = Model(study, frame="inertial", axis=0)                # doctest: +SKIP
     >>> begin = model.array(0.0, model.initial_state)                 # doctest: +SKIP
     >>> run = scipy.integrate.solve_ivp(model.rhs, (0, 50), begin)    # doctest: +SKIP
-    >>> model.state(run.t, run.y.T)                                   # doctest: +SKIP
+    >>> model.state(run.t, run.y)                                     # doctest: +SKIP
     <State of 2 balls, inertial: shape (213,)>
     """
 
@@ -66,9 +70,12 @@ class Model:
     pieces: list[tuple[float, float, bool]] = _of_equations("pieces")
     release_time: float = _of_equations("release_time")
 
-    def __init__(self, study: Study, *, frame: Optional[Frame] = None) -> None:
+    def __init__(self, study: Study, *, frame: Optional[Frame] = None, axis: Literal[-1, 0] = -1) -> None:
+        if axis not in (-1, 0):
+            refuse("axis", axis, "-1 or 0")
         self._equations = _core.Equations(checked_study(study)._core)
         self.study = study
+        self.axis = axis
         self.frame = None if frame is None else checked_frame(frame)
         self._released_at: Optional[float] = None
 
@@ -119,9 +126,11 @@ class Model:
         frame = frame or self.frame
         if frame is None:
             raise no_frame("state")
-        if checked_frame(frame) == "inertial":
-            return floats("state", state)
         rows = floats("state", state)
+        if rows.ndim > 1:
+            rows = np.moveaxis(rows, self.axis, -1)
+        if checked_frame(frame) == "inertial":
+            return rows
         whole = 4 + 2 * self.study.balls
         speed = self._speed(t, rows, piece)  # prescribed, or in the array: no velocity counts
         seen = State.from_array(rows[..., :whole], frame=frame, study=self.study, psi_dot=speed)
@@ -154,9 +163,10 @@ class Model:
 
         Returns
         -------
-        ndarray (..., dimension)
+        ndarray (..., dimension), or (dimension, ...) if `axis` is 0
         """
-        return self._equations.rhs(floats("t", t), self._rows(t, state, piece, frame), piece)
+        rates = self._equations.rhs(floats("t", t), self._rows(t, state, piece, frame), piece)
+        return np.moveaxis(rates, -1, self.axis)
 
     def jacobian(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
@@ -194,45 +204,19 @@ class Model:
         """The same with the balls released at `t`, of a driven rotor that lets go at a speed."""
         model = type(self).__new__(type(self))
         model._equations, model.study, model._released_at = self._equations.released_at(t), self.study, t
-        model.frame = self.frame
+        model.frame, model.axis = self.frame, self.axis
         return model
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"study": self.study, "released_at": self._released_at, "frame": self.frame}
+        return {"study": self.study, "released_at": self._released_at, "frame": self.frame, "axis": self.axis}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__init__(state["study"], frame=state["frame"])  # type: ignore[misc]
+        self.__init__(state["study"], frame=state["frame"], axis=state["axis"])  # type: ignore[misc]
         if state["released_at"] is not None:
             self.__dict__ = self.released_at(state["released_at"]).__dict__
 
     def __repr__(self) -> str:
         return f"<Model of {self.study.name}: {', '.join(self.names)}>"
-
-
-class Known:
-    """An attractor that a mapper knows.
-
-    Attributes
-    ----------
-    id, name, alias, kind, stable
-    r_min, r_mean, r_max : float
-    state : State
-        One on its motion.
-    """
-
-    def __init__(self, fields: tuple[Any, ...], study: Study) -> None:
-        self.id, self.name, self.alias, self.kind, self.stable, radial, state = fields
-        self.r_min, self.r_mean, self.r_max = radial
-        self.state: State = state_on(state, study)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Known) and (self.id, self.name) == (other.id, other.name)
-
-    def __hash__(self) -> int:
-        return hash((self.id, self.name))
-
-    def __repr__(self) -> str:
-        return f"<attractor {self.id} {self.name}: {self.kind}, r = {self.r_min:.4g} to {self.r_max:.4g}>"
 
 
 class Mapper:
@@ -255,7 +239,7 @@ class Mapper:
     --------
     >>> mapper = Mapper(study)                # doctest: +SKIP
     >>> mapper([1.0, 4.0])                    # ball angles; the rest as [initial] says   # doctest: +SKIP
-    <attractor 1 balanced: equilibrium, r = 0 to 0>
+    <Attractor 1 balanced: equilibrium, r = 0 to 0>
     """
 
     def __init__(
@@ -282,11 +266,11 @@ class Mapper:
         return self
 
     @property
-    def attractors(self) -> dict[int, Known]:
+    def attractors(self) -> dict[int, Attractor]:
         """Those known so far, by identifier."""
-        return {fields[0]: Known(fields, self.study) for fields in self._core.attractors()}
+        return {fields[0]: attractor_of(fields, self.study) for fields in self._core.attractors()}
 
-    def __call__(self, state: StateLike, *, frame: Optional[Frame] = None) -> Optional[Known]:
+    def __call__(self, state: StateLike, *, frame: Optional[Frame] = None) -> Optional[Attractor]:
         """The attractor of one state: a State, `balls` angles, or with `frame` 4 + 2 `balls` numbers. None if it ends in
         none."""
         one = not state.shape if isinstance(state, State) else angles("state", state).ndim == 1

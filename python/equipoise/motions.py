@@ -12,13 +12,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, MOST_STARTS, checked_study, real, whole
+from ._arguments import Array, MOST_STARTS, checked_study, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
+from .attractor import Attractor
 from .ensembles import with_starts
 from .errors import RunError
 from .results import Result, SavedAsData, member, optional, write_text
-from .state import Frame, State, StateLike, seeds_of, state_on
+from .state import Frame, StateLike, seeds_of
 from .study import Study, option_value
 
 if TYPE_CHECKING:
@@ -34,104 +35,7 @@ _UNITS = {
     "growth_rate": ("omega_c", "growth rate of the slowest deviation"),
 }
 
-_LONGEST_PATH = 1e5  # a second or so, which Ctrl-C does not end
-
-
 _Item = TypeVar("_Item", "Attractor", "Branch")
-
-
-@dataclass(frozen=True)
-class Path:
-    """A stretch of a motion: times, rotor angle (rad), centre of the race in the room's axes (in R, from where the rotor
-    rests), balls as seen from the rotor (rad)."""
-
-    t: Array
-    psi: Array
-    X: Array
-    Y: Array
-    phi: Array
-    study: Study
-
-    @property
-    def radial(self) -> Array:
-        """Distance of the centre from where the rotor rests, in R."""
-        return np.hypot(self.X, self.Y)
-
-
-class Attractor:
-    """A steady motion of a study's final speed.
-
-    Attributes
-    ----------
-    id, name, alias, kind
-        kind: "equilibrium", "periodic", "quasi-periodic", "chaotic" or "measured".
-    stable : bool
-    share, low, high : float
-        Of the starts that were searched, with its 95 % interval.
-    period : float
-        0 of motions that are not periodic.
-    r_min, r_mean, r_max : float
-        Distance of the rotor's centre from the axis, in R.
-    drift : ndarray (balls,)
-        Mean rates of the balls in the rotating frame, in omega_c.
-    spectrum : ndarray, complex
-        Of an equilibrium or a periodic motion; empty of others.
-    spectrum_kind : str
-        "eigenvalues" of an equilibrium; "multipliers" (Floquet) of a periodic motion and, under gravity or on unequal
-        supports, whose equations depend on the rotor's angle, of an equilibrium over one period of the equations; ""
-        if the spectrum is empty.
-    exponents : ndarray
-        Lyapunov exponents, falling.
-    state : State
-        One on the motion.
-    data : dict
-        All that the command line says of it with ``--json``.
-    """
-
-    def __init__(self, data: dict[str, Any], study: Study) -> None:
-        self.data, self.study = data, study
-        self.id: int = data["id"]
-        self.name: str = data["name"]
-        self.alias: str = data["alias"] or ""
-        self.kind: str = data["kind"]
-        self.stable: bool = data["stable"]
-        self.share: float = data["share"]
-        self.low, self.high = data["share_interval"]
-        self.period: float = data["period"] or 0.0
-        self.r_min: float = data["radial"]["min"]
-        self.r_mean: float = data["radial"]["mean"]
-        self.r_max: float = data["radial"]["max"]
-        self.drift = np.array(data["drift"], dtype=float)
-        self.spectrum_kind: str = next((kind for kind in ("eigenvalues", "multipliers") if data.get(kind)), "")
-        self.spectrum = np.array([complex(re, im) for re, im in data.get(self.spectrum_kind, ())])
-        self.exponents = np.array(data["exponents"], dtype=float)
-        self.state: State = state_on(data["state"], study)
-
-    def path(self, duration: Optional[float] = None, points: int = 400) -> Path:
-        """The motion itself.
-
-        Parameters
-        ----------
-        duration : float, optional
-            In 1/omega_c, at most 1e5; default: a period, of other motions 200.
-        points : int
-            Steps of equal time; the path has one point more.
-        """
-        length = self.period or 200.0
-        if duration is not None:
-            length = real("duration", duration, 1e-9, _LONGEST_PATH, f"a time above 0, at most {_LONGEST_PATH:g}")
-        steps = whole("points", points, 1, 10**7)
-        columns = _core.motion_path(self.study._core, self.data["state"], length, steps, {})
-        t = np.linspace(0.0, length, steps + 1)[: len(columns["X"])]
-        path = Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
-        return unless_interrupted(path, columns["interrupted"])
-
-    def __repr__(self) -> str:
-        alias = f" ({self.alias})" if self.alias else ""
-        return (
-            f"<Attractor {self.id} {self.name}{alias}: {self.kind}, {'stable' if self.stable else 'UNSTABLE'}, "
-            f"r = {self.r_min:.4g} to {self.r_max:.4g}, {100 * self.share:.2f} % of starts>"
-        )
 
 
 class _Named(Result, Generic[_Item]):

@@ -185,11 +185,6 @@ class Study:
         return self._core.balls
 
     @property
-    def dimension(self) -> int:
-        """Numbers of a state to start from: x, y, x_dot, y_dot, and each ball's angle and rate."""
-        return 4 + 2 * self.balls
-
-    @property
     def scales(self) -> Optional[dict[str, float]]:
         """What a dimensionless 1 of mass, length and time is, in kg, m and s; None of a dimensionless study."""
         return self._core.scales
@@ -250,6 +245,9 @@ class Study:
                 value = value.get(part) if isinstance(value, dict) else None
             if value is not None:
                 return value
+        # The name under which every profile takes it, and which sweeps use.
+        if key == "speed.final" and self._core.final_speed is not None:
+            return self._core.final_speed
         raise KeyError(key)
 
     def __contains__(self, key: object) -> bool:
@@ -270,6 +268,10 @@ class Study:
 
     def __hash__(self) -> int:
         return hash(self.to_toml())
+
+    def same_machine(self, other: Study) -> bool:
+        """Whether all but the number, seed and method of starts agrees."""
+        return self is other or {**self.to_dict(), "sampling": None} == {**other.to_dict(), "sampling": None}
 
     def __repr__(self) -> str:
         return f"<Study {self.name}: {self._core.parameters_text}>"

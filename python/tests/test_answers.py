@@ -163,7 +163,7 @@ def test_chart(program, tmp_path):
         np.testing.assert_array_equal(made.box_kind, stored.box_kind.values)
     assert without_times(made.data) == without_times(same)
     assert sum(made.proved.values()) == pytest.approx(1.0) and made.proved["open"] <= 0.02
-    curves = eq.curve(study, size=24, **ranges)
+    curves = eq.chart(study, size=24, boxes=0, **ranges).curves
     assert [c.kind for c in curves] == [c.kind for c in made.curves]
     assert [c.kind for c in curves if c.of == "balance"] == ["hopf"] * sum(c.of == "balance" for c in curves)
     assert any(c.of != "balance" for c in curves) and made.region_of.shape == (24, 24)

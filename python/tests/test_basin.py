@@ -48,6 +48,36 @@ def test_fates_are_the_programs_bit_for_bit(path, changes, program, tmp_path):
             np.testing.assert_array_equal(values[ended], stored[name].values[ended], name)
 
 
+def test_an_outcome_that_did_not_occur_has_no_share(answer):
+    assert answer.shares["diverged"] == 0.0 and answer.counts["diverged"] == 0 and "diverged" not in answer.shares
+    low, high = answer.errors["diverged"]
+    # Wilson: z^2 / (n + z^2), z = 1.959964
+    assert low == 0.0 and high == pytest.approx(3.841459 / 403.841459, rel=1e-6)
+    again = pickle.loads(pickle.dumps(answer))
+    assert again.shares == answer.shares and again.shares["failed"] == 0.0
+
+
+def test_the_share_by_a_time_grows_to_the_share(answer):
+    times = np.array([[0.0, 100.0], [1000.0, np.inf]])
+    for name, given in (("balanced", "balanced"), ("co-drifting", "V1")):
+        by = answer.share_by(times, given)
+        of = answer.labels == {n: c for c, n in answer.names.items()}[name]
+        for place in np.ndindex(2, 2):
+            known = np.count_nonzero(of & (answer.decision_time <= times[place]))
+            assert by.share[place] == known / 400 and by.low[place] <= by.share[place] <= by.high[place]
+        assert by.share[1, 1] == answer.shares[name] and (by.low[1, 1], by.high[1, 1]) == answer.errors[name]
+    assert answer.share_by(50.0, "diverged").share == 0.0
+    weighted = eq.basin(answer.study, starts=200, method="grid")
+    by = weighted.share_by([np.inf])
+    assert by.share[0] == pytest.approx(weighted.shares["balanced"], abs=1e-12)
+
+
+def test_a_sensitivity_needs_no_ensemble_of_default_size(study):
+    uncertain = study.replace({"rotor.eccentricity": {"uniform": [0.009, 0.011]}})
+    assert eq.basin(uncertain, sensitivity=64).starts == 64
+    assert eq.basin(uncertain, 100, sensitivity=64).starts == 100
+
+
 def test_shares_errors_counts_and_labels_tell_the_same(answer):
     assert answer.starts == 400 and not answer.partial
     assert sum(answer.shares.values()) == pytest.approx(1.0, abs=1e-12)

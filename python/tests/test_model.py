@@ -92,6 +92,23 @@ def test_arrays_of_any_shape_go_in_and_out(study):
     np.testing.assert_array_equal(again.rhs(0.0, states), together)
 
 
+def test_components_come_first_for_vectorised_integrators(study):
+    rows, columns = eq.Model(study, frame="inertial"), eq.Model(study, frame="inertial", axis=0)
+    square = np.random.default_rng(8).normal(size=(rows.dimension, rows.dimension))
+    np.testing.assert_array_equal(columns.rhs(0.3, square), rows.rhs(0.3, square.T).T)
+    np.testing.assert_array_equal(columns.rhs(0.3, square[:, 0]), rows.rhs(0.3, square[:, 0]))
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(columns)).rhs(0.3, square), columns.rhs(0.3, square))
+    begin = rows.array(0.0, rows.initial_state)
+    one, many = (
+        scipy_integrate.solve_ivp(model.rhs, (0, 5), begin, method="BDF", vectorized=vectorised)
+        for model, vectorised in ((rows, False), (columns, True))
+    )
+    np.testing.assert_array_equal(one.y, many.y)
+    assert columns.state(many.t, many.y).shape == many.t.shape
+    with pytest.raises(eq.StudyError, match="axis"):
+        eq.Model(study, axis=1)
+
+
 def test_contact_needs_events(study):
     with pytest.raises(eq.StudyError, match="event"):
         eq.Model(study.replace({"balancer.contact_angle": 0.3}))

@@ -183,3 +183,17 @@ def test_what_is_no_state_is_refused_in_one_line(study, call, kind, message):
     with pytest.raises(kind, match=message) as error:
         call(study)
     assert "\n" not in str(error.value)
+
+
+def test_an_attractor_is_the_same_whichever_call_found_it(study):
+    found = eq.attractors(study, 500)["V1"]
+    counted = next(a for a in eq.basin(study, starts=100).attractors if a.alias == "V1")
+    known = next(a for a in eq.Mapper(study).attractors.values() if a.alias == "V1")
+    assert found == counted == known and len({found, counted, known}) == 1
+    assert counted.count > 0 and counted.state is None and np.isnan(counted.r_max)
+    assert known.r_max == pytest.approx(found.r_max, rel=1e-6) and np.isnan(known.share)
+    np.testing.assert_allclose(known.path(10.0, 20).radial, found.path(10.0, 20).radial, atol=1e-6)
+    with pytest.raises(ValueError, match="no state"):
+        counted.path()
+    other = eq.attractors(study.replace({"balancer.drag": 0.06}), 500)["V1"]
+    assert other.id == found.id and other != found

@@ -146,3 +146,11 @@ def test_what_is_replaced_is_named_by_a_key_alone(key):
         study.replace({key: 1})
     with pytest.raises(eq.StudyError):
         study.replace(rotor={"eccentricity = 0.01, damping": 0.5})
+
+
+def test_a_study_has_a_final_speed_under_the_name_that_replace_takes(study):
+    assert study.replace({"speed.final": 2.6})["speed.final"] == 2.6
+    points = study.replace({"speed": {"profile": "points", "times": [0, 50, 100], "speeds": [0, 3, 2.5]}})
+    assert points["speed.final"] == 2.5 and "speed.final" in points
+    motor = studies / "paper-rotor-with-motor.toml"
+    assert "speed.final" not in eq.Study.from_file(motor)
