@@ -200,14 +200,15 @@ class BasinResult(Result):
         codes = [code for code, name in self.names.items() if name == outcome]
         codes += [a.id for a in self.attractors if outcome and a.alias == outcome]
         ends = np.isin(self.labels, codes)
-        weight = self.arrays.get("weight")
         order = np.argsort(self.decision_time[ends], kind="stable")
         known = self.decision_time[ends][order]
-        sums = np.concatenate(([0.0], np.cumsum(weight[ends][order]))) if weight is not None else None
+        weights = self.arrays.get("weight")
+        sums: Any = None  # of the weights: of those known so far, of all, of their squares
+        if weights is not None:
+            sums = np.concatenate(([0.0], np.cumsum(weights[ends][order]))), weights.sum(), (weights**2).sum()
         rows = []
         for count in np.searchsorted(known, times.ravel(), side="right"):
-            sized = None if sums is None else (sums[count], weight.sum(), (weight**2).sum())
-            rows.append(_core.wilson(int(count), self.starts, sized))
+            rows.append(_core.wilson(int(count), self.starts, sums and (sums[0][count], *sums[1:])))
         share, low, high = np.array(rows, dtype=float).reshape(-1, 3).T
         return ShareBy(times, *(values.reshape(times.shape) for values in (share, low, high)))
 

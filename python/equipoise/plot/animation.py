@@ -13,7 +13,7 @@ from . import parts
 from .machine import Machine, States, check_view, magnification, own_limit, run_of
 
 if TYPE_CHECKING:
-    from ..motions import Attractor
+    from ..attractor import Attractor
     from ..trajectory import Trajectory
 
 _WAY = 0.15

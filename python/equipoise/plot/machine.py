@@ -11,7 +11,7 @@ from . import parts
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..motions import Attractor, Path
+    from ..attractor import Attractor, Path
     from ..study import Study
     from ..trajectory import Trajectory
 
