@@ -216,10 +216,14 @@ void bind_ensembles(py::module_& module) {
   });
   module.def("flag_word", &io::flag_word);
   // share, low and high; of starts that stand for unlike cells, the sums of their weights are given, too
-  module.def("wilson", [](std::uint64_t count, std::uint64_t total, const std::optional<std::array<double, 3>>& weights) {
-    const Share s = weights ? wilson_share(count, total, (*weights)[0], (*weights)[1], (*weights)[2]) : wilson_share(count, total);
-    return std::array{s.share, s.low, s.high};
-  }, py::arg(), py::arg(), py::arg() = std::nullopt);
+  module.def(
+      "wilson",
+      [](std::uint64_t count, std::uint64_t total, const std::optional<std::array<double, 3>>& weights) {
+        const Share s = weights ? wilson_share(count, total, (*weights)[0], (*weights)[1], (*weights)[2])
+                                : wilson_share(count, total);
+        return std::array{s.share, s.low, s.high};
+      },
+      py::arg(), py::arg(), py::arg() = std::nullopt);
   bind_kept<ComparisonResult>(module, "Comparison", &result_text<ComparisonResult>)
       .def("verdict", made<ComparisonResult>(&verdict))
       .def("study", [](const Kept<ComparisonResult>& c) { return PyStudy::of(c.result.first); });
