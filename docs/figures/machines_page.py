@@ -16,24 +16,23 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 # File, title, words, and the tables of the study that the page shows (None: all).
 MACHINES = [
     ("front-loader", "A front loader for 9 kg",
-     "The data sheet gives masses, the natural frequency of the tub and the oil. The friction dampers are taken as viscous ones of the "
-     "same loss. The lump of laundry is a `[[place]]`.", None),
+     "The friction dampers are taken as viscous ones of the same loss. The lump of laundry is a `[[place]]`.", None),
     ("spin-dryer", "A spin dryer", "Its test bench gives a logarithmic decrement, its data sheet the time to full speed.", ["[rotor]", "[speed]"]),
     ("grinder-230", "An angle grinder for discs of 230 mm",
      "Its unbalance is not known, but the balance grade of its disc is. Hands hold it, so the answer gives the daily exposure.",
      ["[rotor]", "[standards]"]),
     ("universal-motor-tool", "A tool with a universal motor",
-     "The motor is known by five points of its curve, the load by what it takes at one speed.", ["[rotor]", "[speed]"]),
+     "The motor is known by five points of its curve, the load by what it takes at one speed.", ["[speed]"]),
     ("centrifuge-12", "A centrifuge with twelve places", "The contents of the first tube are not known: every start draws them.",
      ["[[place]]"]),
     ("fan", "A fan of 30 kg, started direct on line", "The nameplate of its induction motor, and the torque of the fan at rated speed.",
-     ["[rotor]", "[speed]", "[standards]"]),
+     ["[speed]", "[standards]"]),
 ]
 HEAD = """# Six machines, from data sheet to verdict
 
 Each study is in `studies/machines/`, written as its data sheet states it. Below, the first is complete; the others show what is new.
-`equipoise check` shows what was understood, `equipoise basin` whether to fit the balancer. Times are for 2 cores (AVX-512). The numbers are
-typical of such machines, and of none in particular. The [explorer](../explanation/web.md) has the same six among its examples.
+`equipoise basin` gives the verdict, in these times on 2 cores (AVX-512). The numbers are typical of such machines, and of none in particular.
+The [explorer](../explanation/web.md) has the same six among its examples.
 
 """
 
@@ -64,7 +63,7 @@ def main():
     for name, title, words, tables in MACHINES:
         study = f"studies/machines/{name}.toml"
         answer, wall, cpu = run(program, "basin", study, "--quiet")
-        verdict = re.sub(r"\s+", " ", re.match(r"verdict(.*(?:\n .*)*)", answer)[1]).strip()
+        verdict = re.sub(r"\s+", " ", re.match(r"verdict(.*(?:\n .*)*)", answer)[1]).strip().split(":")[0].rstrip(".") + "."
         picture = f"screen-{name}.svg"
         subprocess.run([sys.executable, "docs/figures/terminal_screen.py", f"docs/figures/{picture}", "--", program, "basin", study, "--quiet"], check=True)
         anchor = re.sub("[^a-z0-9 -]", "", title.lower()).replace(" ", "-")
