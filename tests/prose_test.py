@@ -26,7 +26,6 @@ PLACES = {
 LONG = {
     "docs/evidence/publications.md": 1,
     "docs/evidence/reproduction.md": 5,
-    "docs/explanation/equations.md": 1,
     "docs/explanation/motions.md": 1,
     "docs/reference/study-file.md": 1,
     "python/notebooks/1-first-study.ipynb": 1,
