@@ -163,7 +163,7 @@ def attractor_of(fields: tuple[Any, ...], study: Study) -> Attractor:
 
 
 class Shares(dict[str, Any]):
-    """Values by the name of an outcome. An outcome that no start came to is not listed; asked for, it has `nothing`."""
+    """Values by the name of an outcome. An outcome in which no start ended is not listed, and its value is `nothing`."""
 
     def __init__(self, values: Mapping[str, Any], nothing: Any) -> None:
         super().__init__(values)

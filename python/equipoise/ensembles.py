@@ -61,7 +61,7 @@ class BasinResult(Result):
     ----------
     shares : dict[str, float]
         By name: the attractors, balanced first, then starts without one ("undecided", "diverged", "failed", "stalled")
-        if there are any; undecided is always there. An outcome that no start came to is not listed and has 0.
+        if there are any; undecided is always there. An outcome in which no start ended is not listed and has 0.
     errors : dict[str, tuple[float, float]]
         95 % intervals of the same.
     attractors : list[Attractor]
@@ -147,7 +147,7 @@ class BasinResult(Result):
 
     @property
     def _of_nothing(self) -> tuple[float, float]:
-        """The interval of an outcome that no start came to."""
+        """The interval of an outcome in which no start ended."""
         return 0.0, _core.wilson(0, max(self.starts, 1))[2]
 
     @property
