@@ -28,7 +28,6 @@ LONG = {
     "docs/evidence/reproduction.md": 5,
     "docs/explanation/equations.md": 1,
     "docs/explanation/motions.md": 1,
-    "docs/reference/study-file.md": 1,
     "python/notebooks/1-first-study.ipynb": 1,
 }
 
