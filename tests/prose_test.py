@@ -27,7 +27,6 @@ LONG = {
     "docs/evidence/publications.md": 1,
     "docs/evidence/reproduction.md": 5,
     "docs/explanation/motions.md": 1,
-    "docs/reference/study-file.md": 1,
     "python/notebooks/1-first-study.ipynb": 1,
 }
 
