@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Optional, TypeVar, Union
 
+from . import _core
 from ._arguments import real, refuse, whole
 from .errors import Interrupted
 
@@ -63,8 +64,8 @@ def settings(
     elif progress not in (None, True, False):
         raise TypeError(f"progress must be True, False or a callable(done, total, what), not {progress!r}")
     threads = whole("threads", threads, 0, MOST_THREADS, ", 0 for all cores")
-    if cpu is not None and not isinstance(cpu, str):
-        refuse("cpu", cpu, "one of equipoise.cpu_targets()")
+    if cpu is not None and cpu not in _core.cpu_targets():
+        refuse("cpu", cpu, f"one of equipoise.cpu_targets(): {', '.join(_core.cpu_targets())}")
     limit = time_limit(within)
     try:
         yield {"threads": threads, "progress": listener, "cpu": cpu, "within": limit}

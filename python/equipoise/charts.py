@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, Range, checked_study, path_text
+from ._arguments import Array, Range, checked_study, flag, path_text, real, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
 from ._planes import Size, plane_axes
@@ -157,6 +157,8 @@ def chart(
     """
     checked_study(study)
     axes = plane_axes((x, y), size, (x_range, y_range), "speed.final")
+    most = whole("boxes", boxes, 0, 10**9)
+    open_part = real("undecided", undecided, 0.0, 100.0, "a percentage from 0 to 100")
     with settings(threads, progress, cpu, within) as how:
-        core = _core.chart(study._core, *axes, boxes, undecided, cycles, path_text(output), how)
+        core = _core.chart(study._core, *axes, most, open_part, bool(flag("cycles", cycles)), path_text(output), how)
     return unless_interrupted(ChartResult(core, study), core.interrupted)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, MOST_STARTS, checked_study, whole
+from ._arguments import Array, MOST_STARTS, checked_study, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .attractor import Attractor
@@ -20,7 +20,7 @@ from .ensembles import with_starts
 from .errors import RunError
 from .results import Result, SavedAsData, member, optional, write_text
 from .state import Frame, StateLike, seeds_of
-from .study import Study, option_value
+from .study import Study, option_value, plain
 
 if TYPE_CHECKING:
     import pandas
@@ -265,7 +265,12 @@ def follow(
         As for :func:`basin`.
     """
     checked_study(study)
-    line = f"{key}=" + ":".join(option_value(value) for value in (low, high, step))
+    ends = [option_value(value) for value in (low, high, step)]
+    if not any(isinstance(plain(value), str) for value in (low, high, step)):
+        begin, end, between = (real(name, value, -1e300, 1e300, "a number") for name, value in zip(("low", "high", "step"), (low, high, step)))
+        if not (between * (end - begin) >= 0.0 and between != 0.0):
+            refuse("step", step, f"a number that leads from low = {begin:g} to high = {end:g}")
+    line = f"{key}=" + ":".join(ends)
     searched = whole("starts", starts, 0, MOST_STARTS)
     seeds = None if states is None else seeds_of("states", states, frame, study)
     with settings(threads, progress, cpu, within) as how:

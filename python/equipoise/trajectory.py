@@ -160,6 +160,8 @@ def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional
     array = numbers("t", t)
     if array.ndim != 1 or (array.size and array.dtype.kind not in "fiu"):
         refuse("t", t, "one number or a row of them, in 1/omega_c")
+    if array.size and not (np.all(np.isfinite(array)) and array[0] >= 0.0 and np.all(np.diff(array) > 0.0)):
+        refuse("t", t, "finite times, rising, from 0 on")
     return array.tolist(), None
 
 
