@@ -1,4 +1,4 @@
-"""classification-flow.svg: the way of a start from its integration to its outcome, as in classification.md. Nothing is computed."""
+"""classification-flow.svg: the path of a start from its integration to its outcome, as in classification.md. Nothing is computed."""
 
 from drawn_page import DARK, INK, PALE, QUIET, Page
 

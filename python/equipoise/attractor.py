@@ -67,7 +67,7 @@ class Attractor:
     drift : ndarray (balls,)
         Mean rates of the balls in the rotating frame, in omega_c.
     spectrum : ndarray, complex
-        Of an equilibrium or a periodic motion; empty of others.
+        For an equilibrium or a periodic motion; otherwise empty.
     spectrum_kind : str
         "eigenvalues" of an equilibrium; "multipliers" (Floquet) of a periodic motion and, under gravity or on unequal
         supports, whose equations depend on the rotor's angle, of an equilibrium over one period of the equations; ""
@@ -160,17 +160,3 @@ def attractor_of(fields: tuple[Any, ...], study: Study) -> Attractor:
     radial = {"min": r_min, "mean": r_mean, "max": r_max}
     known = {"id": number, "name": name, "alias": alias, "kind": kind, "stable": stable, "radial": radial, "state": state}
     return Attractor(known, study)
-
-
-class Shares(dict[str, Any]):
-    """Values by the name of an outcome. An outcome in which no start ended is not listed, and its value is `nothing`."""
-
-    def __init__(self, values: Mapping[str, Any], nothing: Any) -> None:
-        super().__init__(values)
-        self.nothing = nothing
-
-    def __missing__(self, name: str) -> Any:
-        return self.nothing
-
-    def __reduce__(self) -> Any:
-        return type(self), (dict(self), self.nothing)

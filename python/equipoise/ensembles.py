@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any, Optional
@@ -15,7 +16,7 @@ from . import _core
 from ._arguments import Array, LARGEST_SEED, MOST_STARTS, checked_study, flag, path_text, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
-from .attractor import Attractor, Shares
+from .attractor import Attractor
 from .errors import UndecidedWarning
 from .results import Result, flags, member, optional
 from .state import Frame, State, StateLike, starts_of
@@ -42,6 +43,20 @@ def _of_every_start(result: BasinResult, name: str) -> Any:
 def _array(name: str) -> Any:
     """A property: an array of every start."""
     return property(lambda self: _of_every_start(self, name))
+
+
+class Shares(dict[str, Any]):
+    """Values by the name of an outcome. An outcome in which no start ended is not listed, and its value is `nothing`."""
+
+    def __init__(self, values: Mapping[str, Any], nothing: Any) -> None:
+        super().__init__(values)
+        self.nothing = nothing
+
+    def __missing__(self, name: str) -> Any:
+        return self.nothing
+
+    def __reduce__(self) -> Any:
+        return type(self), (dict(self), self.nothing)
 
 
 @dataclass(frozen=True)

@@ -265,12 +265,12 @@ def follow(
         As for :func:`basin`.
     """
     checked_study(study)
-    ends = [option_value(value) for value in (low, high, step)]
-    if not any(isinstance(plain(value), str) for value in (low, high, step)):
-        begin, end, between = (real(name, value, -1e300, 1e300, "a number") for name, value in zip(("low", "high", "step"), (low, high, step)))
+    given = {"low": plain(low), "high": plain(high), "step": plain(step)}
+    if not any(isinstance(value, str) for value in given.values()):
+        begin, end, between = (real(name, value, -1e300, 1e300, "a number") for name, value in given.items())
         if not (between * (end - begin) >= 0.0 and between != 0.0):
             refuse("step", step, f"a number that leads from low = {begin:g} to high = {end:g}")
-    line = f"{key}=" + ":".join(ends)
+    line = f"{key}=" + ":".join(option_value(value) for value in given.values())
     searched = whole("starts", starts, 0, MOST_STARTS)
     seeds = None if states is None else seeds_of("states", states, frame, study)
     with settings(threads, progress, cpu, within) as how:
