@@ -80,10 +80,12 @@ py::dict summary_of_map(const BasinSlice& map) {
   for (const LocalExponent& e : f.local_exponents) local.append(py::make_tuple(e.from, e.to, e.value));
   py::dict summary = summary_of_plane(map);
   summary["codes"] = codes;
-  summary["figures"] =
-      py::dict("box_dimension"_a = figure(f.box_dimension), "uncertainty_exponent"_a = figure(f.uncertainty_exponent),
-               "local_exponents"_a = local, "basin_entropy"_a = figure(f.basin_entropy),
-               "boundary_basin_entropy"_a = figure(f.boundary_basin_entropy), "balanced_radius"_a = f.balanced_radius);
+  summary["figures"] = py::dict(
+      "box_dimension"_a = figure(f.box_dimension), "uncertainty_exponent"_a = figure(f.uncertainty_exponent),
+      "local_exponents"_a = local, "basin_entropy"_a = figure(f.basin_entropy),
+      "boundary_basin_entropy"_a = figure(f.boundary_basin_entropy), "balanced_radius"_a = f.balanced_radius,
+      "tolerance_flips"_a =
+          f.flipped ? py::object(py::make_tuple(f.flipped->share, f.flipped->low, f.flipped->high)) : py::none());
   summary["left_out"] = map.pixels_left_out;
   return summary;
 }

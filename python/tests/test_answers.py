@@ -108,6 +108,7 @@ def test_maps(program, tmp_path):
         assert np.mean(made.outcome == code) == pytest.approx(made.shares[name], abs=1e-12)
     assert made.left_out == 0 and all(len(e) == 3 for e in made.figures["local_exponents"])
     assert set(made.figures) >= {"box_dimension", "uncertainty_exponent", "basin_entropy"}
+    assert made.figures["tolerance_flips"] is None  # too few pixels
     assert made.to_xarray().outcome.shape == (30, 40) and made.to_pandas().shape == (30, 40)
     again = pickle.loads(pickle.dumps(made))
     np.testing.assert_array_equal(again.time, made.time)

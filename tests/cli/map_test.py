@@ -43,6 +43,8 @@ class Results(unittest.TestCase):
             self.assertTrue(least < figure["value"] < most, name)
             self.assertTrue(figure["low"] < figure["value"] < figure["high"], name)
         self.assertTrue(0.9 < figures["balanced_radius"] < 1.4)
+        flips = figures["tolerance_flips"]
+        self.assertTrue(flips["low"] <= flips["share"] <= flips["high"] < 0.1, flips)
         self.assertFalse(self.answer["partial"])
 
     def test_a_map_is_the_same_for_any_number_of_threads(self):

@@ -114,6 +114,7 @@ class Kinds {
     header.x = {"initial.phi_1", 0.0, 6.0, 4};
     header.y = {"initial.phi_2", 0.0, 6.0, 4};
     header.components = 8;
+    header.flipped = wilson_share(1, 16);
     return header;
   }
   static void read_map(const std::string& file, const io::SliceFileHeader& header) {
@@ -151,7 +152,7 @@ class Kinds {
       store.append_attractor_search(std::vector<double>(8, 2.0));
       store.append({0, 1, 2, 3, 9}, std::vector<SlicePixel>(5, {1, 2.0, 0.5}));
       const std::vector<OutcomeShare> codes{{1, "balanced", "V1", {}}};
-      store.finish(codes, {{short{1}, codes.front()}}, true);
+      store.finish(codes, {{short{1}, codes.front()}}, true, header.flipped);
     }
     kinds.push_back({"map", content(path("map.nc")), fuzz::changed_results,
                      reader("c.nc", [header](const std::string& file) { read_map(file, header); })});

@@ -35,6 +35,7 @@ SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& heade
   reading([this] {
     if (!results()) return;
     codes_ = io::read_outcome_kinds(*results(), "");
+    header_.flipped = io::read_flipped(*results());
     std::erase_if(codes_, [](const OutcomeShare& c) { return c.id <= 0; });
     if (finished() != pixels_of(header_)) refuse(this->path(), "is damaged: it has another number of pixels");
   });
@@ -97,7 +98,8 @@ void SliceStore::read_rows(int first, int rows, SlicePixel* pixels) const {
 }
 
 void SliceStore::finish(const std::vector<OutcomeShare>& codes, const std::map<short, OutcomeShare>& seen,
-                        bool complete) {
+                        bool complete, const std::optional<Share>& flipped) {
+  header_.flipped = flipped;
   const auto values = [&](std::size_t column) -> DataValues {
     return [&, column](std::size_t first, std::size_t count, double* to) {
       read_pixels(column, first, count, to);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ class SliceStore : public io::RowStore {
   bool unfinished() const { return !new_rows().empty(); }
   /// Computed pixels.
   void for_each_known(const std::function<void(std::uint32_t position, short code)>& visit) const;
+  /// Of finished results: SliceFigures::flipped.
+  const std::optional<Share>& flipped() const { return header_.flipped; }
   /// The codes of motions; some may appear twice.
   const std::vector<OutcomeShare>& codes() const { return codes_; }
 
@@ -34,12 +37,13 @@ class SliceStore : public io::RowStore {
   void read_rows(int first, int rows, SlicePixel* pixels) const;
 
   /// Writes the slice with its final codes: `codes`, those of `seen` by the codes so far.
-  void finish(const std::vector<OutcomeShare>& codes, const std::map<short, OutcomeShare>& seen, bool complete);
+  void finish(const std::vector<OutcomeShare>& codes, const std::map<short, OutcomeShare>& seen, bool complete,
+              const std::optional<Share>& flipped);
 
  private:
   void read_pixels(std::size_t column, std::uint64_t first, std::size_t count, double* values) const;
 
-  const io::SliceFileHeader header_;
+  io::SliceFileHeader header_;
   std::vector<OutcomeShare> codes_;
 };
 

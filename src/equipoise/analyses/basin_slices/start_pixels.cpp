@@ -148,8 +148,10 @@ bool StartPixels::compute(const std::vector<std::uint32_t>& positions) {
   if (unread_ || session_.stopped()) return false;
   const auto start_at = [&](std::uint32_t position) { return family_start(position); };
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
-  const ChunkWork work{
-      .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
+  const LineMotions* lines = lines_ ? &*lines_ : nullptr;
+  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session_, lines, positions, chunk); },
+                       .threads = map_.threads,
+                       .stop = options_.stop};
   return take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
     hand_on(positions, chunk);
     return true;
@@ -181,19 +183,50 @@ FamilyStart StartPixels::family_start(std::uint32_t position) const {
   return result;
 }
 
-bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const {
+std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& positions) const {
+  if (unread_ || session_.stopped()) return std::nullopt;
+  RunCatalogue catalogue = catalogue_;
+  const auto ends_of = [&](const Session& session) {  // names of motions; empty without one
+    std::vector<std::string> ends;
+    const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session, nullptr, positions, chunk); },
+                         .threads = map_.threads,
+                         .stop = options_.stop};
+    take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+      catalogue.settle(chunk);
+      for (const Outcome& outcome : chunk.outcomes) {
+        const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue.find(outcome.attractor) : nullptr;
+        ends.push_back(a ? a->name : "");
+      }
+      return true;
+    });
+    return ends;
+  };
+  const auto given = ends_of(session_), finer = ends_of(Session(session_, default_simulate_tolerance));
+  if (std::min(given.size(), finer.size()) < positions.size()) return std::nullopt;
+  std::uint64_t tried = 0, flipped = 0;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (given[k].empty() || finer[k].empty()) continue;
+    ++tried;
+    flipped += given[k] != finer[k];
+  }
+  return wilson_share(flipped, tried);
+}
+
+bool StartPixels::decide(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,
+                         Chunk& chunk) const {
   if (of_family()) {
     std::vector<FamilyStart> starts;
     for (std::size_t i = 0; i < chunk.count; ++i) {
       const std::uint32_t position = positions[chunk.first + i];
       starts.push_back(family_start(position));
-      if (lines_) starts.back().met = &lines_->at(position);
+      starts.back().own.study.numerics.tolerance = session.study().numerics.tolerance;
+      if (lines) starts.back().met = &lines->at(position);
     }
-    return session_.decide(std::move(starts), chunk);
+    return session.decide(std::move(starts), chunk);
   }
   std::vector<InitialState> starts;
   for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(start(positions[chunk.first + i]));
-  return session_.decide(starts, chunk);
+  return session.decide(starts, chunk);
 }
 
 // Passes pixels on in order.

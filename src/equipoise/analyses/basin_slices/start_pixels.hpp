@@ -48,11 +48,17 @@ class StartPixels {
   /// Computes pixels at these positions and passes them on in this order. False if stopped before all were done.
   bool compute(const std::vector<std::uint32_t>& positions);
 
+  /// Of the starts of these pixels, those that end elsewhere when followed to default_simulate_tolerance; starts that
+  /// reach no attractor do not count. Empty if stopped.
+  std::optional<Share> flipped(const std::vector<std::uint32_t>& positions) const;
+
  private:
   bool of_family() const { return session_.family() != nullptr; }
   InitialState start(std::uint32_t position) const;
   FamilyStart family_start(std::uint32_t position) const;
-  bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
+  // `lines`: the motions of lines that have been probed, or null.
+  bool decide(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,
+              Chunk& chunk) const;
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk);
   short code_of_motion(const MotionName& motion);
   // `own`: given if rotors differ between pixels. `followed`: the largest r, if the start was followed for it.

@@ -49,7 +49,6 @@ class Session::Batch {
   bool is_left(std::size_t i) const;
   bool follows_open(std::size_t i) const;
   bool is_in_chaos(std::size_t i, const std::vector<double>& state, double followed) const;
-  bool is_in_listed_chaos(std::size_t i) const;
   std::optional<UnlistedStart> follow_on(std::size_t i, bool open);
   std::optional<UnlistedStart> followed(std::size_t i, double now, double patience) const;
   std::optional<UnlistedStart> unlisted_of_few(std::size_t i, double now);

@@ -97,7 +97,9 @@ bool Session::Batch::finish(Decided& decided) {
     std::optional<UnlistedStart> unlisted;
     std::optional<MotionFigures> end;  // of its motion, if known
     // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
-    const bool left = is_left(i), in_listed_chaos = left && is_in_listed_chaos(i);
+    // The rule gives an undecided start the attractor that its windows are most like, if that is chaotic.
+    const bool left = is_left(i), like_chaos = left && outcome.attractor > 0;
+    const bool in_listed_chaos = like_chaos && is_in_chaos(i, when_recognised(i, outcome.time), outcome.time);
     if (!in_listed_chaos && outcome.kind == OutcomeKind::undecided) outcome.attractor = 0;
     if (in_listed_chaos) outcome.by = DecidedBy::horizon;
     const bool open = left && !in_listed_chaos && follows_open(i);
@@ -116,7 +118,7 @@ bool Session::Batch::finish(Decided& decided) {
       // Balls held by dry friction leave a different unbalance after each start.
       const Attractor* listed = s_.catalogue().find(outcome.attractor);
       if (listed && listed->motion.set_valued) outcome.unbalance = unbalance_of(system(i), state(i));
-    } else if (left && is_in_chaos(i, when_recognised(i, outcome.time), outcome.time)) {
+    } else if (left && !like_chaos && is_in_chaos(i, when_recognised(i, outcome.time), outcome.time)) {
       unlisted = in_chaos(i, outcome.time);
       outcome.kind = OutcomeKind::attracted;
       outcome.by = DecidedBy::horizon;
@@ -180,11 +182,6 @@ bool Session::Batch::is_in_chaos(std::size_t i, const std::vector<double>& state
   return look_at_undecided(system(i), vector_of(state)).what == Restlessness::chaotic;
 }
 
-// Undecided at the horizon, with windows whose means are those of listed chaos.
-bool Session::Batch::is_in_listed_chaos(std::size_t i) const {
-  return outcomes_[i].attractor > 0 && is_in_chaos(i, when_recognised(i, outcomes_[i].time), outcomes_[i].time);
-}
-
 UnlistedStart Session::Batch::in_chaos(std::size_t i, double now) const {
   return {i, when_recognised(i, now), measured_motion(), {long_lived_chaos, "", 0}};
 }
@@ -243,7 +240,7 @@ std::optional<UnlistedStart> Session::Batch::unlisted_of_few(std::size_t i, doub
   if (!s_.system_.smooth() && !s_.system_.coasts())
     return UnlistedStart{i, when_recognised(i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
   if (came_to_.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(i, now), {}};
-  const std::optional<UnlistedStart> start = followed(i, now, 0.0);
+  std::optional<UnlistedStart> start = followed(i, now, 0.0);
   if (!start) return start;
   if (record.finished_window)
     looks_.push_back({.features = record.features,

@@ -78,6 +78,9 @@ class Session {
   /// units.
   Session(const Study& study, StudyFamily family, const FamilyStarts& starts, const AttractorSearchSettings& settings);
 
+  /// The same attractors and rules for starts that are followed to another tolerance; FamilyStart has its own.
+  Session(const Session& other, double tolerance);
+
   /// Decides starts first .. first + count - 1. False if stopped early, as for all starts below.
   bool decide(std::uint64_t first, std::size_t count, Decided& decided) const;
   /// Given starts (check_given_starts()), unless the study has uncertain values.

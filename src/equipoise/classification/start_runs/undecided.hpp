@@ -12,8 +12,8 @@
 
 namespace equipoise {
 
-/// Chaos that a trajectory is still in at the horizon, if that is long enough (lasting_chaos): an outcome of its own,
-/// with a rate at which starts leave it. No finite time shows whether it lasts for ever.
+/// Chaos that a trajectory is still in at the horizon, if that is long enough (lasting_chaos) and no listed chaos is like
+/// it: an outcome of its own, with a rate at which starts leave it. No finite time shows whether it lasts for ever.
 inline constexpr char long_lived_chaos[] = "long-lived chaos";
 
 /// A result with a larger share of undecided starts says why.

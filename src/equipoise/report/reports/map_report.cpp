@@ -38,6 +38,13 @@ std::string scales_text(const SliceFigures& f) {
       f.local_exponents.front().from, f.local_exponents.back().to, values);
 }
 
+// How far single pixels can be trusted.
+std::string flipped_text(const SliceFigures& f) {
+  return f.flipped ? fmt::format(" Followed with tolerance {:g}, {} of {} pixels tried end elsewhere ({}).",
+                                 default_simulate_tolerance, f.flipped->count, f.flipped->total, interval(*f.flipped))
+                   : "";
+}
+
 // How basins lie in each other.
 DocumentTable figures_table(const SliceFigures& f) {
   DocumentTable table{{"how basins lie in each other", "value", "95 % interval"}};
@@ -53,8 +60,8 @@ DocumentTable figures_table(const SliceFigures& f) {
   if (f.balanced_radius)
     table.rows.push_back(row_of(
         "tnn", {"all balanced within, around balanced angles", fmt::format("{:.3f} rad", *f.balanced_radius), ""}));
-  table.caption =
-      "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels." + scales_text(f);
+  table.caption = "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels." +
+                  scales_text(f) + flipped_text(f);
   return table;
 }
 
@@ -181,13 +188,14 @@ std::string json_text(const BasinSlice& map) {
   text += ",\"time\":";
   append_rows(text, map.x.pixels, map.y.pixels,
               [&](std::size_t k) { return std::isfinite(map.time[k]) ? std::optional(map.time[k]) : std::nullopt; });
-  Json json = object("figures",
-                     object("box_dimension", f.box_dimension, "uncertainty_exponent", f.uncertainty_exponent,
-                            "local_exponents", list_of(f.local_exponents, exponent), "basin_entropy", f.basin_entropy,
-                            "boundary_basin_entropy", f.boundary_basin_entropy, "balanced_radius", f.balanced_radius),
-                     "partial", !map.complete, "pixels", map.pixels, "pixels_open", open_pixels(map), "pixels_left_out",
-                     map.pixels_left_out, "pixels_computed", map.pixels_computed, "pixels_kept", map.pixels_kept,
-                     "draws_starts", draws_starts(map), "every", map.every);
+  Json json =
+      object("figures",
+             object("box_dimension", f.box_dimension, "uncertainty_exponent", f.uncertainty_exponent, "local_exponents",
+                    list_of(f.local_exponents, exponent), "basin_entropy", f.basin_entropy, "boundary_basin_entropy",
+                    f.boundary_basin_entropy, "balanced_radius", f.balanced_radius, "tolerance_flips", f.flipped),
+             "partial", !map.complete, "pixels", map.pixels, "pixels_open", open_pixels(map), "pixels_left_out",
+             map.pixels_left_out, "pixels_computed", map.pixels_computed, "pixels_kept", map.pixels_kept,
+             "draws_starts", draws_starts(map), "every", map.every);
   add_computed(json, map);
   return text + "," + json.dump().substr(1) + "\n";
 }

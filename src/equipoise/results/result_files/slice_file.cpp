@@ -1,10 +1,12 @@
 // Dimensions, variables and attributes of a basin slice.
 #include "equipoise/results/result_files/slice_file.hpp"
 
+#include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
@@ -13,6 +15,9 @@
 namespace equipoise::io {
 
 namespace {
+
+// Of the pixels followed again (SliceFigures::flipped).
+constexpr char flipped_name[] = "tolerance_flips", tried_name[] = "tolerance_pixels";
 
 std::string links_text(const std::vector<AngleLink>& links) {
   std::string text;
@@ -36,6 +41,15 @@ void add_pixels(Dataset& data, const std::vector<std::size_t>& plane, const Slic
         .fill = std::numeric_limits<double>::quiet_NaN();
 }
 
+void add_flipped(Dataset& data, const Share& flipped) {
+  const auto add = [&](const char* name, const std::string& meaning, std::uint64_t count) {
+    data.add(
+        name, "1", meaning, {}, [count](std::size_t) { return count; }, DataColumn::Type::integer);
+  };
+  add(tried_name, fmt::format("pixels followed again with tolerance {:g}", default_simulate_tolerance), flipped.total);
+  add(flipped_name, "those of them that end elsewhere", flipped.count);
+}
+
 void say_attributes(Dataset& data, const SliceFileHeader& header, bool complete) {
   data.say("identity", identity_of(header));
   say_axes(data, header.x, header.y);
@@ -55,6 +69,15 @@ std::string identity_of(const SliceFileHeader& h) {
       range(h.y));
 }
 
+std::optional<Share> read_flipped(const NetcdfFile& file) {
+  if (!file.has_variable(flipped_name)) return std::nullopt;
+  const auto count = [&](const char* name) { return read_column(file, name, DataColumn::Type::integer, {}).front(); };
+  const double flipped = count(flipped_name), tried = count(tried_name);
+  if (flipped < 0.0 || flipped > tried)
+    throw RunError(fmt::format("{}: {} is {} of {} pixels", file.name(), flipped_name, flipped, tried));
+  return wilson_share(static_cast<std::uint64_t>(flipped), static_cast<std::uint64_t>(tried));
+}
+
 std::vector<StoredColumn> pixel_columns(bool one_rotor) {
   std::vector<StoredColumn> columns{{{"outcome", "what the pixel's start comes to"}, DataColumn::Type::small, 1, "x"}};
   visit_pixel_numbers(one_rotor, [&](std::size_t, const PixelNumber& n) {
@@ -71,6 +94,7 @@ Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeSh
   add_pixels(data, add_axes(data, header.x, header.y), header, codes, values);
   const std::size_t kind = add_outcome_kinds(data, "", codes);
   data.add("share", "1", "share of the map's pixels", {kind}, [&codes](std::size_t k) { return codes[k].share.share; });
+  if (header.flipped) add_flipped(data, *header.flipped);
   if (!discoveries.empty()) {
     const std::size_t met = data.dimension("discovery", discoveries.size()), width = discoveries.front().size();
     data.add("discovery_state", "1",
@@ -89,6 +113,7 @@ namespace equipoise {
 void write_map_file(const std::string& path, const BasinSlice& map) {
   const std::size_t size = map.code.size();
   io::SliceFileHeader header{to_toml(map.study), map.x, map.y, map.links, "of " + map.cpu_target};
+  header.flipped = map.figures.flipped;
   header.one_rotor = map.balance_margin.size() != size || size == 1;
   for (const PixelNumber& n : pixel_numbers)
     if (header.one_rotor && n.of_rotor) header.rotor.*n.value = (map.*n.all).front();

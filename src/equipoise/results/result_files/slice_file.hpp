@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
+#include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise {
 
@@ -26,12 +28,16 @@ struct SliceFileHeader {
   std::vector<AngleLink> links;
   std::string arithmetic;  ///< BasinFileHeader::arithmetic
   bool one_rotor = true;
-  SlicePixel rotor{};          ///< for one rotor: its numbers
-  std::size_t components = 0;  ///< of a state
+  SlicePixel rotor{};              ///< for one rotor: its numbers
+  std::optional<Share> flipped{};  ///< SliceFigures::flipped
+  std::size_t components = 0;      ///< of a state
 };
 
 /// Everything that determines the pixels; one key per line, as in a study.
 std::string identity_of(const SliceFileHeader& header);
+
+/// SliceFigures::flipped of a file. Throws RunError if it contradicts itself.
+std::optional<Share> read_flipped(const NetcdfFile& file);
 
 /// The outcome, then the pixel_numbers. For one rotor, those that belong to it are not kept.
 std::vector<StoredColumn> pixel_columns(bool one_rotor);

@@ -234,7 +234,7 @@ int WindowTracker::settled_at_end() const {
 }
 
 int WindowTracker::chaos_at_end() const {
-  const KnownFeatures* chaos = has_previous_ && !(own_ && own_->met) ? nearest_chaos(previous_) : nullptr;
+  const KnownFeatures* chaos = has_previous_ ? nearest_chaos(previous_) : nullptr;
   return chaos ? chaos->attractor : 0;
 }
 
@@ -286,6 +286,7 @@ const KnownFeatures* WindowTracker::known_by(const Features& f) const {
 const KnownFeatures* WindowTracker::nearest_chaos(const Features& f) const {
   constexpr double other_window = 0.3;  // how far the means of one chaos may differ, also between two rotors
   const KnownFeatures* nearest = nullptr;
+  if (own_ && own_->met) return nearest;  // its own chaos is known
   double least = other_window;
   for (const KnownFeatures& k : rule_->known) {
     if (!k.chaotic) continue;
@@ -300,8 +301,7 @@ const KnownFeatures* WindowTracker::nearest_chaos(const Features& f) const {
 
 int WindowTracker::chaos_in(const Features& f, const KnownFeatures* known) const {
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
-  const bool knows_its_own = own_ && own_->met;
-  if (!known && has_lasted && !knows_its_own && repeats_ == 0) known = nearest_chaos(f);
+  if (!known && has_lasted && repeats_ == 0) known = nearest_chaos(f);
   return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }
 
