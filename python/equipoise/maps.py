@@ -58,8 +58,8 @@ class MapResult(OverPlane, WithPage):
     figures : dict[str, tuple[float, float, float] or float or list or None]
         box_dimension, uncertainty_exponent, basin_entropy, boundary_basin_entropy, each value, low, high at 95 %;
         local_exponents, each two distances in pixels and the uncertainty exponent between them;
-        balanced_radius in rad; tolerance_flips, the share of pixels tried that end elsewhere with a tolerance of 1e-12.
-        None where the map does not show it.
+        balanced_radius in rad; tolerance_flips, the share of pixels tried that end elsewhere with a
+        thousandth of the tolerance. None where the map does not show it.
     left_out : int
         Pixels that start alike balls in one place: shares and figures leave them out, since their measure is zero.
     complete : bool

@@ -340,10 +340,11 @@ class MapRun {
 
   // Follows some pixels again, which tells how far the others can be trusted. Not complete if stopped meanwhile.
   void compare_tolerances() {
+    constexpr double finest = 1e-14;  // below this, rounding decides
     const std::vector<std::uint32_t> positions = spread_pixels(map_);
-    const double tolerance = map_.study.numerics.tolerance.value_or(default_basin_tolerance);
-    if (positions.empty() || tolerance <= default_simulate_tolerance) return;
-    flipped_ = start_pixels().flipped(positions);
+    const double tolerance = SliceFigures::finer * map_.study.numerics.tolerance.value_or(default_basin_tolerance);
+    if (positions.empty() || tolerance < finest) return;
+    flipped_ = start_pixels().flipped(positions, tolerance);
     complete_ = flipped_.has_value();
   }
 

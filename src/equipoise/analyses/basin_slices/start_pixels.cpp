@@ -183,7 +183,7 @@ FamilyStart StartPixels::family_start(std::uint32_t position) const {
   return result;
 }
 
-std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& positions) const {
+std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& positions, double tolerance) const {
   if (unread_ || session_.stopped()) return std::nullopt;
   RunCatalogue catalogue = catalogue_;
   const auto ends_of = [&](const Session& session) {  // names of motions; empty without one
@@ -201,7 +201,7 @@ std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& posi
     });
     return ends;
   };
-  const auto given = ends_of(session_), finer = ends_of(Session(session_, default_simulate_tolerance));
+  const auto given = ends_of(session_), finer = ends_of(Session(session_, tolerance));
   if (std::min(given.size(), finer.size()) < positions.size()) return std::nullopt;
   std::uint64_t tried = 0, flipped = 0;
   for (std::size_t k = 0; k < given.size(); ++k) {

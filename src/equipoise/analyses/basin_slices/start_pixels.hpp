@@ -48,9 +48,9 @@ class StartPixels {
   /// Computes pixels at these positions and passes them on in this order. False if stopped before all were done.
   bool compute(const std::vector<std::uint32_t>& positions);
 
-  /// Of the starts of these pixels, those that end elsewhere when followed to default_simulate_tolerance; starts that
-  /// reach no attractor do not count. Empty if stopped.
-  std::optional<Share> flipped(const std::vector<std::uint32_t>& positions) const;
+  /// Of the starts of these pixels, those that end elsewhere when followed to this tolerance; starts that reach no
+  /// attractor do not count. Empty if stopped.
+  std::optional<Share> flipped(const std::vector<std::uint32_t>& positions, double tolerance) const;
 
  private:
   bool of_family() const { return session_.family() != nullptr; }

@@ -40,8 +40,8 @@ std::string scales_text(const SliceFigures& f) {
 
 // How far single pixels can be trusted.
 std::string flipped_text(const SliceFigures& f) {
-  return f.flipped ? fmt::format(" Followed with tolerance {:g}, {} of {} pixels tried end elsewhere ({}).",
-                                 default_simulate_tolerance, f.flipped->count, f.flipped->total, interval(*f.flipped))
+  return f.flipped ? fmt::format(" With a tolerance {:.0f} times finer, {} of {} pixels tried end elsewhere ({}).",
+                                 1.0 / SliceFigures::finer, f.flipped->count, f.flipped->total, interval(*f.flipped))
                    : "";
 }
 

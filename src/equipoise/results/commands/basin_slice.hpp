@@ -68,8 +68,9 @@ struct SliceFigures {
   std::optional<Estimate> basin_entropy, boundary_basin_entropy;
   /// For two balls over both angles: largest distance (rad) from balanced angles within which every pixel is balanced.
   std::optional<double> balanced_radius;
-  /// Of pixels spread over the slice, those that end elsewhere when followed to default_simulate_tolerance.
+  /// Of pixels spread over the slice, those that end elsewhere when followed to `finer` times the tolerance.
   std::optional<Share> flipped;
+  static constexpr double finer = 1e-3;
 };
 
 /// Rows follow y, pixels within a row x. NaN means no value.

@@ -46,7 +46,7 @@ void add_flipped(Dataset& data, const Share& flipped) {
     data.add(
         name, "1", meaning, {}, [count](std::size_t) { return count; }, DataColumn::Type::integer);
   };
-  add(tried_name, fmt::format("pixels followed again with tolerance {:g}", default_simulate_tolerance), flipped.total);
+  add(tried_name, fmt::format("pixels followed again with {:g} of the tolerance", SliceFigures::finer), flipped.total);
   add(flipped_name, "those of them that end elsewhere", flipped.count);
 }
 
