@@ -212,7 +212,7 @@ void SliceAssembly::finish() {
   map_.every = every_;
 }
 
-// A 32nd of the pixels that count, so that following them again costs little, but no more than tell a share well:
+// A 32nd of the pixels that count, because following them again takes time, and no more than a share needs. They are
 // spread over the slice by the additive recurrence of M. Roberts (extremelearning.com.au, 2018). None of a small slice,
 // or if pixels draw their starts.
 std::vector<std::uint32_t> spread_pixels(const BasinSlice& map) {
@@ -338,7 +338,7 @@ class MapRun {
     return *start_pixels_;
   }
 
-  // Follows some pixels again, which tells how far the others can be trusted. Not complete if stopped meanwhile.
+  // Follows some pixels again: this shows how far the others can be trusted. Not complete if stopped meanwhile.
   void compare_tolerances() {
     constexpr double finest = 1e-14;  // below this, rounding decides
     const std::vector<std::uint32_t> positions = spread_pixels(map_);
