@@ -24,6 +24,7 @@ from .errors import Interrupted, RunError, StudyError, UndecidedWarning
 from .explanations import Explanation, StudyCheck, check, explain, machines, new
 from .files import CertificateCheck, Inspection, check_certificates, inspect, merge
 from .maps import MapResult, map
+from .matching import Matching, match, match_along
 from .model import Mapper, Model
 from .motions import AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
 from .pages import Replay, Report, replay, report
@@ -42,10 +43,10 @@ __version__: str = _core.version
 __all__ = [
     "Attractor", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
     "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
-    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
+    "Interrupted", "MapResult", "Mapper", "Matching", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
     "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
     "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
-    "machines", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
+    "machines", "match", "match_along", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
     "reproducible", "simulate", "stability", "sweep",
 ]
 

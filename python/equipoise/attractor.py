@@ -103,7 +103,7 @@ class Attractor:
         self.spectrum_kind: str = next((kind for kind in ("eigenvalues", "multipliers") if data.get(kind)), "")
         self.spectrum = np.array([complex(re, im) for re, im in data.get(self.spectrum_kind, ())])
         self.exponents = np.array(data.get("exponents", ()), dtype=float)
-        self.state: Optional[State] = state_on(data["state"], study) if "state" in data else None
+        self.state: Optional[State] = state_on(data["state"], study) if data.get("state") else None
 
     @property
     def mean_time(self) -> float:

@@ -209,6 +209,15 @@ def test_copies_can_be_saved_and_mappers_and_models_pickled(study, answer, tmp_p
     assert stopped.result.shares == answer.shares and "interrupted" in str(stopped)
 
 
+def test_a_mapper_of_a_coasting_rotor_lists_attractors_without_a_state():
+    mapper = eq.Mapper(eq.Study(
+        rotor=dict(eccentricity=0.01, damping=0.5, inertia=0.5), balancer=dict(balls=2, mass=0.05, drag=0.05),
+        speed=dict(profile="torque", torque=dict(constant=0.1, until=30.0)),
+    ))
+    assert mapper.attractors[1].name == "balanced" and mapper.attractors[1].state is None
+    assert mapper([1.0, 4.0]) == mapper.attractors[1]
+
+
 def test_every_result_shows_itself_in_a_notebook(study):
     for result in (eq.simulate(study, 5.0), eq.simulate(study, []), eq.certify(study), eq.explain(study),
                    eq.follow(study, "speed.final", 2.4, 2.4, 0.1), eq.reproduce("table-7", starts=5, law="published")):
