@@ -82,18 +82,7 @@ Session::Session(const Study& study, StudyFamily family, const FamilyStarts& sta
       family_(std::move(family)),
       mesh_(search_attractor_mesh(*family_, starts, settings)) {}
 
-Session::Session(const Session& other, double tolerance)
-    : study_(other.study_),
-      gathers_(other.gathers_),
-      measures_radii_(other.measures_radii_),
-      mode_(other.mode_),
-      stop_(other.stop_),
-      system_(other.system_),
-      transients_(other.transients_),
-      sampler_(other.sampler_),
-      family_(other.family_),
-      mesh_(other.mesh_),
-      ends_(other.ends_) {
+Session::Session(const Session& other, double tolerance) : Session(other) {
   study_.numerics.tolerance = tolerance;
   source_ = make_spin_up(with_medians(study_), stop_);
   if (gathers_) source_->watch(transients_);

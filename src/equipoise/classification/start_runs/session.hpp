@@ -125,7 +125,7 @@ class Session {
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;
-  std::unique_ptr<SpinUp> source_;  // with uncertain values that of the medians
+  std::shared_ptr<SpinUp> source_;  // with uncertain values that of the medians
   Sampler sampler_;
   std::optional<StudyFamily> family_;
   FamilyMesh mesh_;             // one cell for one rotor, none for a family of coasting rotors
