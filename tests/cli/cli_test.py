@@ -80,7 +80,7 @@ class Uncertain(Case):
     def test_other_commands_take_medians_and_say_so(self):
         done = run("explain", ROW, *self.DRAWS)
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(done.stderr, "equipoise: samples nothing; uncertain values are at their medians: "
+        self.assertEqual(done.stderr, "equipoise: uncertain values are at their medians: "
                                       "rotor.eccentricity = 0.01\n")
 
 
