@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -173,7 +174,7 @@ Json judge(const Json& args) {
   }
   Json json = {{"starts", r.starts}, {"verdict", nullptr}, {"changes", nullptr}, {"possible", Json::array()}};
   if (const auto verdict = verdict_of(r, tried)) {
-    json["verdict"] = verdict_json(*verdict, tried);
+    json["verdict"] = PartOf{*verdict, std::span<const TriedChange>(tried)};
     json["verdict"]["tone"] = name_of(tone_of(verdict->decision));
     if (verdict->asks_for_changes())
       for (const Change& change : usual_changes(uncertain)) json["possible"].push_back(change.words);

@@ -130,7 +130,7 @@ Json search_attractors(const Json& args, Bulk&) {
   const Catalogue known = mapper.attractors();
   for (const Attractor& a : known.attractors()) {
     Json one = outcome_json({a.id, a.name, a.alias}, study);
-    one.update(motion_json(a, study));
+    one.update(Json(PartOf{a, study}));
     one["stability"] = stability_text(a, study.scales);
     one["path"] = path_json(study, a.motion);
     attractors.push_back(std::move(one));

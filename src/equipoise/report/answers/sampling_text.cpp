@@ -91,9 +91,11 @@ std::string sampling_text(const BasinResult& r) {
   return text + ".\nAs good as: random starts that give the same standard error.\n";
 }
 
-Json sampling_json(const BasinResult& r) {
-  if (r.own_starts) return object("method", "given");
-  Json json = object("method", sampling_method_names[static_cast<std::size_t>(method_of(r))]);
+void to_json(Json& json, const PartOf<Sampling, BasinResult>& of) {
+  const BasinResult& r = of.whole;
+  json = object("method", "given");
+  if (r.own_starts) return;
+  json = object("method", sampling_method_names[static_cast<std::size_t>(method_of(r))]);
   if (const auto drawn = drawn_instead(r.study); !drawn.empty()) put(json, "drawn_instead_of", drawn);
   if (method_of(r) == SamplingMethod::sobol)
     put(json, "replicates", sobol_replicates, "points_per_replicate", r.starts / sobol_replicates);
@@ -101,13 +103,12 @@ Json sampling_json(const BasinResult& r) {
     put(json, "cells_a_turn", r.grid->side(), "cells", r.grid->all_cells(), "cells_evaluated", r.grid->cells(),
         "starts_a_cell", 2, "exchange", r.grid->exchange());
   if (r.half_width > 0.0) put(json, "half_width", r.half_width);
-  if (!r.choice) return json;
+  if (!r.choice) return;
   put(json, "chosen", true, "pilot_starts", r.choice->pilot, "random_starts_needed",
       std::round(r.choice->random_starts));
   if (r.choice->pilot > 0) put(json, "sobol_starts_needed", std::round(r.choice->sobol_starts));
   const std::string why = choice_text(r);
   put(json, "why", why.substr(10, why.size() - 11));  // without "Sampling: " and the end of the line
-  return json;
 }
 
 }  // namespace equipoise

@@ -13,6 +13,6 @@ std::string sampling_text(const BasinResult& result);
 /// Equivalent number of random starts, for "as good as", with two digits: "850 000".
 std::string as_good_as(const Share& share);
 /// Method, replicates, points per replicate; a grid's cells; what was chosen, and why.
-Json sampling_json(const BasinResult& result);
+void to_json(Json& json, const PartOf<Sampling, BasinResult>& sampling);
 
 }  // namespace equipoise

@@ -421,23 +421,25 @@ std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
   return document_text({"", {verdict_notice(v)}}, style) + "\n";
 }
 
-Json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
-  const auto name = [](Decision decision) { return decision_names[static_cast<std::size_t>(decision)]; };
-  Json json = object("decision", name(v.decision), "words", v.words, "because", v.because, "change", v.change);
-  if (tried.empty()) return json;
-  json["tried"] = list_of(tried, [&](const TriedChange& t) {
-    const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
-      const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
-      return object("unit", unit.name, "value", e.value * unit.size, "low", e.low * unit.size, "high",
-                    e.high * unit.size);
-    };
-    Json one = object("words", t.words, "starts", t.starts, "decision", name(t.decision));
-    if (t.kept) put(one, "kept", sure(*t.kept));
-    put(one, "rms_velocity_90", figure(t.end_velocity, study::Dimension::velocity), "peak_radial_90",
-        figure(t.peak, study::Dimension::length), "seconds", t.seconds, "cpu_seconds", t.cpu_seconds);
+void to_json(Json& json, Decision decision) { json = decision_names[static_cast<std::size_t>(decision)]; }
+
+void to_json(Json& json, const TriedChange& t) {
+  const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
+    const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
+    Json one = object("unit", unit.name);
+    one.update(Json(times(e, unit.size)));
     return one;
-  });
-  return json;
+  };
+  json = object("words", t.words, "starts", t.starts, "decision", t.decision);
+  if (t.kept) put(json, "kept", sure(*t.kept));
+  put(json, "rms_velocity_90", figure(t.end_velocity, study::Dimension::velocity), "peak_radial_90",
+      figure(t.peak, study::Dimension::length), "seconds", t.seconds, "cpu_seconds", t.cpu_seconds);
+}
+
+void to_json(Json& json, const PartOf<BalancerVerdict, std::span<const TriedChange>>& of) {
+  const BalancerVerdict& v = of.part;
+  json = object("decision", v.decision, "words", v.words, "because", v.because, "change", v.change);
+  if (!of.whole.empty()) put(json, "tried", list_of(of.whole, [](const TriedChange& t) { return Json(t); }));
 }
 
 }  // namespace equipoise

@@ -186,7 +186,7 @@ std::string json_text(const AttractorsResult& r) {
   Json json;
   json["attractors"] = list_of(r.attractors, [&](const Attractor& a) {
     const OutcomeShare& of = share_of(r, a.id);
-    Json one = motion_json(a, b.study);
+    Json one = PartOf{a, b.study};
     put_left_unbalance(one, of, b.study);
     put(one, "share", of.share.share, "share_interval", std::array{of.share.low, of.share.high}, "starts",
         of.share.count, "state", leading(a.motion.state, a.motion.state.size()));

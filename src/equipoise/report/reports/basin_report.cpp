@@ -19,21 +19,20 @@ namespace {
 
 std::string in_si(const OutcomeNumber& n) { return std::string(n.name) + "_si"; }
 
-// Times as in the note; null if a lifetime may be infinite.
-Json chaos_json(const BasinResult& r) {
-  const EscapeRate& c = *r.chaos;
-  const double time = r.study.scales ? r.study.scales->time() : 1.0;
-  return object("undecided_after", c.watched_from * time, "starts", c.trajectories, "decided_later", c.escapes, "rate",
-                QuantileEstimate{c.rate / time, c.low / time, c.high / time}, "median_lifetime",
-                QuantileEstimate{c.median * time, c.least * time, c.most * time}, "unit",
-                r.study.scales ? "s" : "1/omega_c");
-}
-
 }  // namespace
+
+// Times as in the note; null if a lifetime may be infinite.
+void to_json(Json& json, const PartOf<EscapeRate, Study>& of) {
+  const auto& [c, study] = of;
+  const double time = study.scales ? study.scales->time() : 1.0;
+  json = object("undecided_after", c.watched_from * time, "starts", c.trajectories, "decided_later", c.escapes, "rate",
+                QuantileEstimate{c.rate / time, c.low / time, c.high / time}, "median_lifetime",
+                times({c.median, c.least, c.most}, time), "unit", study.scales ? "s" : "1/omega_c");
+}
 
 std::string json_text(const BasinResult& r, std::span<const TriedChange> tried) {
   Json json = object("starts", r.starts, "starts_asked", r.asked > 0 ? Json(r.asked) : Json(), "partial", r.partial,
-                     "sampling", sampling_json(r));
+                     "sampling", PartOf{r.study.sampling, r});
   const auto share = [&](const Share& s) {
     Json one = sure(s);
     if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
@@ -70,11 +69,11 @@ std::string json_text(const BasinResult& r, std::span<const TriedChange> tried) 
   if (r.stalled) put(units, "below", "omega_c");
   if (r.passed) put(units, "above", "omega_c");
   if (r.met) put(json, "balls_met", share(*r.met));
-  if (r.chaos) put(json, "long_lived_chaos", chaos_json(r));
-  if (const auto verdict = verdict_of(r, tried)) put(json, "verdict", verdict_json(*verdict, tried));
-  if (Json judged = standards_json(r); !judged.is_null()) put(json, "standards", std::move(judged));
-  if (r.transients) put(json, "transients", transient_json(*r.transients, r.study));
-  if (r.without_balls) put(json, "without_balls", without_balls_json(*r.without_balls, r.study));
+  if (r.chaos) put(json, "long_lived_chaos", PartOf{*r.chaos, r.study});
+  if (const auto verdict = verdict_of(r, tried)) put(json, "verdict", PartOf{*verdict, tried});
+  put_known(json, "standards", judged_by_standards(r));
+  if (r.transients) put(json, "transients", PartOf{*r.transients, r.study});
+  if (r.without_balls) put(json, "without_balls", PartOf{*r.without_balls, r.study});
   if (r.sensitivity) put(json, "sensitivity", r.sensitivity->inputs, "sensitivity_design", *r.sensitivity);
   put(json, "balanced_stable", r.balanced_stable, "note", r.note, "starts_per_second",
       r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0, "resumed_from",

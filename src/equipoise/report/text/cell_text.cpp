@@ -46,18 +46,17 @@ std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
   return line;
 }
 
-Json over_json(const std::vector<SweepAxis>& axes) {
-  Json json = Json::array();
-  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
-    json.push_back(object("key", p.key, "unit", p.unit, "values", p.values));
-  });
-  return json;
+std::vector<SweepParameter> parameters_of(const std::vector<SweepAxis>& axes) {
+  std::vector<SweepParameter> all;
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) { all.push_back(p); });
+  return all;
 }
 
-Json at_json(const std::vector<SweepAxis>& axes, std::size_t cell) {
-  Json json = Json::object();
-  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) { json[p.key] = p.values[k]; });
-  return json;
+void to_json(Json& json, const SweepParameter& p) { json = object("key", p.key, "unit", p.unit, "values", p.values); }
+
+void to_json(Json& json, const PartOf<std::size_t, std::vector<SweepAxis>>& cell) {
+  json = Json::object();
+  visit_parameters(cell.whole, cell.part, [&](const SweepParameter& p, std::size_t k) { json[p.key] = p.values[k]; });
 }
 
 }  // namespace equipoise

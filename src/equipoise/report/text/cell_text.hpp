@@ -23,8 +23,9 @@ std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 /// "rotor.unbalance (g mm)".
 std::string csv_title(const std::string& key, const std::string& unit);
 
-/// The parameters with their values, and a cell's values by key.
-Json over_json(const std::vector<SweepAxis>& axes);
-Json at_json(const std::vector<SweepAxis>& axes, std::size_t cell);
+/// All parameters with their values; and the values in a cell, by key.
+std::vector<SweepParameter> parameters_of(const std::vector<SweepAxis>& axes);
+void to_json(Json& json, const SweepParameter& parameter);
+void to_json(Json& json, const PartOf<std::size_t, std::vector<SweepAxis>>& cell);
 
 }  // namespace equipoise

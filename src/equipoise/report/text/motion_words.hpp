@@ -16,6 +16,6 @@ std::string stability_text(const Attractor& a, const std::optional<model::Scales
 
 void to_json(Json& json, const ContinuumPart& part);
 /// The keys of `equipoise attractors --json`, without shares and state.
-Json motion_json(const Attractor& a, const Study& study);
+void to_json(Json& json, const PartOf<Attractor, Study>& attractor);
 
 }  // namespace equipoise
