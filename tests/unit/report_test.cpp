@@ -17,7 +17,6 @@
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/text.hpp"

@@ -80,6 +80,27 @@ DocumentTable facts_table(const Explanation& e) {
   return table;
 }
 
+std::string distribution_text(const UncertainValue& v) {
+  switch (v.kind) {
+    case DistributionKind::uniform:
+      return fmt::format("uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::loguniform:
+      return fmt::format("log-uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::normal: {
+      const std::string cut =
+          v.between ? fmt::format(", cut to {} to {}", v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
+      return fmt::format("normal, mean {}, standard deviation {}{}", v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
+    }
+    case DistributionKind::values:
+      break;
+  }
+  constexpr std::size_t most_shown = 6;
+  std::string text = "one of ";
+  for (std::size_t k = 0; k < std::min(v.numbers.size(), most_shown); ++k)
+    text += (k ? ", " : "") + v.text(v.numbers[k]);
+  return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
+}
+
 }  // namespace
 
 Document document_with(const Study& study, const std::string& answer, const std::string& drawn,
@@ -92,6 +113,15 @@ Document document_with(const Study& study, const std::string& answer, const std:
   if (!held.empty()) held = capitalised(held) + ".";
   document.add(Brief{lines, held});
   return document;
+}
+
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set) {
+  std::string text;
+  for (const UncertainValue& v : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), v.key) == set.end())
+      text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
+  text += drawn_instead_text(study);
+  return text.empty() ? text : text + "\n";
 }
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {

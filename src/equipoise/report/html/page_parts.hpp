@@ -14,9 +14,13 @@
 namespace equipoise {
 
 /// A result's document with its title, "Ball balancer: angle-grinder", a verdict if there is one, the answer if there
-/// is one, and the study in a few lines, with those on what is `drawn` (report/reports/sensitivity_report.hpp).
+/// is one, and the study in a few lines, with those on what is `drawn` (uncertain_text()).
 Document document_with(const Study& study, const std::string& answer, const std::string& drawn,
                        const std::optional<Notice>& verdict = {});
+
+/// One line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015", and one for
+/// what the study states of starts although they draw it. Empty if there are none. Omits keys that are `set` otherwise.
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
 
 /// "at random ball angles, seed 1"; `drawn`: keys of values that each start draws.
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn);

@@ -16,7 +16,6 @@
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"

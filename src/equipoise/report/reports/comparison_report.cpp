@@ -8,7 +8,7 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
