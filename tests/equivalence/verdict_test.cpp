@@ -13,7 +13,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/display_text.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -8,7 +8,7 @@
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -16,7 +16,6 @@
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/types/outcome.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"

@@ -12,13 +12,12 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 

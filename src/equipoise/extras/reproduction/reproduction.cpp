@@ -1,5 +1,5 @@
 // The reproduced paper as JSON, and the words of its document.
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <array>

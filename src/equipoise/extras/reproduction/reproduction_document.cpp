@@ -1,5 +1,5 @@
 // The report, block by block, with its plots.
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <array>

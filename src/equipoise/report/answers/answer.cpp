@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {

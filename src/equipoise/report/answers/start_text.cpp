@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/machine/balance/coincident_balls.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 
 namespace equipoise {
 

@@ -14,7 +14,7 @@
 #include "equipoise/machine/standards/hand_arm.hpp"
 #include "equipoise/machine/standards/severity.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"

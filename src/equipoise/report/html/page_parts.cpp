@@ -12,7 +12,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {

@@ -8,11 +8,10 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/raster.hpp"
-#include "equipoise/report/text/cell_text.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/csv.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {

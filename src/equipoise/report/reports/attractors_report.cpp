@@ -11,7 +11,6 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/table_text.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {

@@ -7,7 +7,7 @@
 
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 

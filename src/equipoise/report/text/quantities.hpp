@@ -1,4 +1,5 @@
-// A study's numbers on a page: three digits, in the machine's units if it has them.
+// Quantities in the units that engineers use: five digits in text; three on a page, in the machine's units if it has
+// them.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,20 @@
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
+
+/// A unit as written, and its value in SI units.
+struct EngineeringUnit {
+  const char* name;
+  double si;
+};
+
+/// The largest unit in which `si` is at least 1; speeds of rotation in rpm.
+EngineeringUnit engineering_unit(double si, study::Dimension dimension);
+
+/// "0.2 mm": five digits, in that unit.
+std::string engineering(double si, study::Dimension dimension);
+/// The same of a study's own number; without scales its five digits alone.
+std::string engineering(const std::optional<model::Scales>& scales, double value, study::Dimension dimension);
 
 /// Three digits; four if there are as many before the point: "0.0331", "3573", "12350".
 std::string page_number(double value);
