@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -374,8 +375,7 @@ std::string chart_csv(const BifurcationChart& chart) {
     for (const CurvePoint& p : chart.curves[k].points) {
       text += fmt::format("{},{},{},{}", k + 1, curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)],
                           chart.curves[k].of, axes.values(p.x, p.y));
-      for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_number(curve_numbers[n].value(p));
-      text += "\n";
+      text += csv_numbers(std::span(curve_numbers).subspan(2), p) + "\n";  // without the place
     }
   return text;
 }

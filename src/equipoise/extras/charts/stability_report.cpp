@@ -250,8 +250,7 @@ std::string stability_csv(const StabilityPlane& plane) {
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) {
       text += axes.values(plane.x.centre(column), plane.y.centre(row));
-      for (const PointNumber& n : point_numbers) text += "," + csv_number(n.value(plane.points[plane.at(column, row)]));
-      text += "\n";
+      text += csv_numbers(point_numbers, plane.points[plane.at(column, row)]) + "\n";
     }
   return text;
 }

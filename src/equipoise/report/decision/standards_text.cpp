@@ -73,7 +73,7 @@ DocumentTable hand_arm_table(const HandArm& a, const Judged& j) {
   if (!j.one) add("90 % below", a.ninety);
   if (a.bare) add(no_balls, *a.bare);
   const auto row = [&](const std::string& name, auto&& text) {
-    table.rows.push_back({{name, Tone::plain, false, true}});
+    table.rows.push_back({label_cell(name)});
     for (const double value : columns) table.rows.back().push_back(number_cell(text(value)));
   };
   row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });

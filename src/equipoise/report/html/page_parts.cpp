@@ -57,7 +57,7 @@ DocumentTable advice_table(const Explanation& e) {
                       true,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
-    table.rows.push_back({{rule.name, Tone::plain, false, true},
+    table.rows.push_back({label_cell(rule.name),
                           {rule.words, !rule.kept   ? Tone::plain
                                        : *rule.kept ? Tone::good
                                                     : Tone::open},
@@ -76,7 +76,7 @@ DocumentTable facts_table(const Explanation& e) {
   DocumentTable table{{"follows", "without any simulation"}};
   for (const Fact& fact : facts(e, numbers))
     if (std::find(shown.begin(), shown.end(), fact.name) != shown.end())
-      table.rows.push_back({{fact.name, Tone::plain, false, true}, {fmt::format("{}", fmt::join(fact.lines, "; "))}});
+      table.rows.push_back({label_cell(fact.name), {fmt::format("{}", fmt::join(fact.lines, "; "))}});
   return table;
 }
 
@@ -169,7 +169,7 @@ void add_machine(Document& document, const GivenMachine& machine) {
   }
   document.add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", "in the study"}};
-  for (const auto& [name, keys] : machine.given) table.rows.push_back({{name, Tone::plain, false, true}, {keys}});
+  for (const auto& [name, keys] : machine.given) table.rows.push_back({label_cell(name), {keys}});
   document.add(std::move(table));
   document.add(facts_table(machine.explanation));
   if (DocumentTable rules = advice_table(machine.explanation); !rules.rows.empty()) document.add(std::move(rules));

@@ -38,10 +38,6 @@ double ball_pixels(const model::Parameters& p, std::size_t i) {
   return radius > 0.0 ? std::clamp(radius * race, 4.0, 16.0) : 7.0;
 }
 
-SvgPoint on_race(double angle, double radius) {
-  return {race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
-}
-
 // Races in different planes are drawn inside each other.
 double race_radius(const std::vector<double>& planes, std::size_t k) {
   constexpr double inmost = 0.4;
@@ -91,7 +87,8 @@ void draw_balls(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
   }
   for (std::size_t i = 0; i < motion.balls.size(); ++i) {
     const double size = ball_pixels(p, i);
-    const SvgPoint at = on_race(place_of(motion.balls[i]), race_of_ball(p, i));
+    const double angle = place_of(motion.balls[i]), radius = race_of_ball(p, i);
+    const SvgPoint at{race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
     svg.circle(at, size, {"var(--paper)", colour, 1.2});
     // Balls that travel as one carry all their numbers.
     std::string number;

@@ -57,7 +57,7 @@ std::string search_text(const AttractorsResult& r) {
 }
 
 // A number in the unit in which results are shown.
-double shown(const Study& study, double value, Dimension d) { return value * study::shown_unit(d, study.scales).size; }
+double shown(const Study& study, double value, Dimension d) { return value * unit_of(study, d).size; }
 
 // What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
 std::vector<std::string> motor_texts(const Motion& m, const Study& study) {
@@ -113,7 +113,7 @@ Document document_of(const AttractorsResult& r) {
   const bool physical = study.scales.has_value(), driven = study.speed.driven();
   Document document = document_with(study, "", "");
   const auto titled = [&](const char* title, Dimension d) {
-    return physical ? fmt::format("{}, {}", title, study::shown_unit(d, study.scales).name) : std::string(title);
+    return physical ? fmt::format("{}, {}", title, unit_of(study, d).name) : std::string(title);
   };
   DocumentTable table;
   table.header = {"id",

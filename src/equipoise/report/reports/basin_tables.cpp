@@ -59,7 +59,7 @@ DocumentTable short_table(const BasinResult& r) {
   DocumentTable table{header};
   const auto row = [&](const std::string& name, const std::vector<std::string>& figures, bool over) {
     std::vector<DocumentCell>& cells = table.rows.emplace_back();
-    cells.push_back({name, Tone::plain, false, true});
+    cells.push_back(label_cell(name));
     for (const std::string& text : figures) cells.push_back(number_cell(text));
     if (limited) cells.push_back({over ? "OVER" : "", Tone::bad});
     cells.resize(header.size());
@@ -68,7 +68,7 @@ DocumentTable short_table(const BasinResult& r) {
     const std::size_t k = figure_place(figure);
     const TransientFigure& f = transient_figures[k];
     if (!r.transients->asks(f, limits) || with.figures[k].count == 0) return;
-    const study::ShownUnit unit = study::shown_unit(f.told_in(), study.scales);
+    const study::ShownUnit unit = unit_of(study, f.told_in());
     const auto shown = [&](double value, const char* open) {
       return value == 0.0 ? std::string("0")
              : std::isfinite(value)
@@ -99,7 +99,7 @@ DocumentTable short_table(const BasinResult& r) {
   figure_rows(true, {&TransientRow::peak_radial_at_end, &TransientRow::rms_force, &TransientRow::rms_velocity});
   if (const auto grade = left_grade(with, study); bare && grade) {
     const auto without = left_grade(bare->figures, study);
-    const double mm_per_s = study::shown_unit(Dimension::velocity, study.scales).size;
+    const double mm_per_s = unit_of(study, Dimension::velocity).size;
     const auto most = limits.grade ? std::optional(*limits.grade * mm_per_s) : std::nullopt;
     const auto shown = [](const std::optional<double>& g) { return g ? fmt::format("G {:.3g}", *g) : "-"; };
     std::vector<std::string> figures{shown(without), shown(grade)};
@@ -115,8 +115,7 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
-  const study::ShownUnit velocity = study::shown_unit(Dimension::velocity, r.study.scales);
-  const study::ShownUnit length = study::shown_unit(Dimension::length, r.study.scales);
+  const study::ShownUnit velocity = unit_of(r.study, Dimension::velocity), length = unit_of(r.study, Dimension::length);
   const bool full = !brief, graded = full && t && is_graded(r.study);
   std::vector<const OutcomeShare*> motions;
   for (const OutcomeShare& a : r.attractors)
@@ -137,11 +136,11 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
   };
   column(open, "bounds", false);
   column(velocities, fmt::format("RMS at end, {}", velocity.name), false);
-  const auto unit_of = [&](const OutcomeNumber& n) {
-    return n.dimension ? study::shown_unit(*n.dimension, r.study.scales) : study::ShownUnit{"", 1.0};
+  const auto number_unit = [&](const OutcomeNumber& n) {
+    return n.dimension ? unit_of(r.study, *n.dimension) : study::ShownUnit{"", 1.0};
   };
   for (const OutcomeNumber& n : outcome_numbers)
-    column(full, physical && n.dimension ? fmt::format("{}, {}", n.title, unit_of(n).name) : n.title, true);
+    column(full, physical && n.dimension ? fmt::format("{}, {}", n.title, number_unit(n).name) : n.title, true);
   column(full, "starts", true);
   column(full && even, "as good as", true);
   column(graded, "balance quality", true);
@@ -155,7 +154,7 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
     };
     if (velocities) cells.push_back(mean(&TransientRow::rms_velocity, velocity));
     for (const OutcomeNumber& n : outcome_numbers)
-      if (full) cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * unit_of(n).size) : "-"));
+      if (full) cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * number_unit(n).size) : "-"));
     if (full) cells.push_back(number_cell(fmt::format("{}", o.share.count)));
     if (full && even) cells.push_back(number_cell(as_good_as(o.share)));
     const auto grade = group && graded ? left_grade(*group, r.study) : std::nullopt;

@@ -188,11 +188,9 @@ std::string branches_csv(const BranchesResult& r) {
     for (const BranchEvent& e : b.events)
       text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
                           e.low, e.high);
-  text += r.key + ",id,name,alias,kind,stable";
-  for (const MotionNumber& f : motion_numbers) text += std::string(",") + f.name;
+  text += r.key + ",id,name,alias,kind,stable" + csv_names(motion_numbers);
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
-  if (r.study.speed.driven())
-    for (const MotionNumber& f : motor_numbers) text += std::string(",") + f.name;
+  if (r.study.speed.driven()) text += csv_names(motor_numbers);
   text += "\n";
   for (std::size_t k = 0; k < r.values.size(); ++k) {
     for (const Branch& b : r.branches) {
@@ -201,10 +199,9 @@ std::string branches_csv(const BranchesResult& r) {
       const Motion& m = at->motion;
       text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), csv_text(b.alias), name_of(m.kind),
                           m.stable);
-      for (const MotionNumber& f : motion_numbers) text += "," + csv_number(f.value(m));
+      text += csv_numbers(motion_numbers, m);
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
-      if (m.motor)
-        for (const MotionNumber& f : motor_numbers) text += "," + csv_number(f.value(m));
+      if (m.motor) text += csv_numbers(motor_numbers, m);
       text += "\n";
     }
   }

@@ -101,7 +101,7 @@ DocumentTable margin_table(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   DocumentTable table{{"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}};
   for (const DesignMargin& m : r.margins) {
-    const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+    const bool ordered = has_ends(m);
     table.rows.push_back(row_of(
         "lnnnnt", {thing_of(m.key), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
                    ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
@@ -144,7 +144,7 @@ DocumentTable chosen_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   DocumentTable table{{"chosen", "value", "could be"}};
   for (std::size_t k = 0; k < best.settings.size(); ++k)
-    table.rows.push_back({{thing_of(best.settings[k].key), Tone::plain, false, true},
+    table.rows.push_back({label_cell(thing_of(best.settings[k].key)),
                           value_cell(best.settings[k].value),
                           {range_words(r.variables[k])}});
   return table;

@@ -291,9 +291,7 @@ std::string sweep_csv(const SweepResult& r) {
   std::string text =
       fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
   text += csv_study(r.study) + csv_titles(r.axes);
-  text += "starts,id,name,alias,kind,count,share,low,high";
-  for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
-  text += "\n";
+  text += "starts,id,name,alias,kind,count,share,low,high" + csv_names(motion_columns) + "\n";
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     const std::string at = csv_values(r.axes, index);
     const auto line = [&](const OutcomeShare& o, const std::string& motion) {
@@ -301,11 +299,7 @@ std::string sweep_csv(const SweepResult& r) {
       text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name),
                           csv_text(o.alias), csv_text(o.kind), s.count, s.share, s.low, s.high, motion);
     };
-    for (const SweepOutcome& o : cell.outcomes) {
-      std::string motion;
-      for (const MotionColumn& c : motion_columns) motion += "," + csv_number(c.value(o).value_or(NAN));
-      line(o, motion);
-    }
+    for (const SweepOutcome& o : cell.outcomes) line(o, csv_numbers(motion_columns, o));
     for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
   });
   return text;

@@ -27,7 +27,6 @@ using study::Dimension;
 
 using Unit = study::ShownUnit;
 
-Unit unit_of(const Study& study, Dimension d) { return study::shown_unit(d, study.scales); }
 Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, limit.told_in()); }
 
 constexpr const char* no_bound = "?";
@@ -50,7 +49,7 @@ std::vector<DocumentCell> figure_row(const TransientFigure& f, const SampleSumma
     return {fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
                         number(high, unit.size, open))};
   };
-  std::vector<DocumentCell> row{{fmt::format("{}, {}", f.title, unit.name), Tone::plain, false, true}};
+  std::vector<DocumentCell> row{label_cell(fmt::format("{}, {}", f.title, unit.name))};
   if (s.open == 0 && s.mean_low == s.mean_high) {  // one motion
     row.push_back({number(s.mean, unit.size, open) + ", the same for all starts"});
     row.resize(2 + s.quantiles.size());
@@ -235,7 +234,7 @@ DocumentTable way_table(const BasinResult& r) {
   table.spare.push_back(numbers - 1);
   const auto add = [&](const std::string& title, const std::vector<std::string>& figures) {
     std::vector<DocumentCell>& row = table.rows.emplace_back();
-    row.push_back({title, Tone::plain, false, true});
+    row.push_back(label_cell(title));
     for (const std::string& text : figures) row.push_back(number_cell(text));
     while (row.size() < table.header.size()) row.push_back(number_cell("-"));
   };
@@ -362,7 +361,7 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
   for (std::size_t k = 0; k < within_titles.size(); ++k) {
     if (!group.within[k]) continue;
     const Share& s = *group.within[k];
-    table.rows.push_back({{within_titles[k], Tone::plain, false, true}, share_cell(s), number_cell(interval(s))});
+    table.rows.push_back({label_cell(within_titles[k]), share_cell(s), number_cell(interval(s))});
     if (open) table.rows.back().push_back(number_cell(bounds_text(s)));
   }
   if (table.rows.empty()) return table;

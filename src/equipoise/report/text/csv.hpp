@@ -20,6 +20,24 @@ std::string csv_text(const std::string& given);
 /// The study as comments, line by line.
 std::string csv_study(const Study& study);
 
+/// A further cell for each of `columns`, with a comma before it: its name, or its number of `of`.
+template <class Columns>
+std::string csv_names(const Columns& columns) {
+  std::string line;
+  for (const auto& c : columns) line += std::string(",") + c.name;
+  return line;
+}
+template <class Columns, class Of>
+std::string csv_numbers(const Columns& columns, const Of& of) {
+  std::string line;
+  for (const auto& c : columns)
+    if constexpr (requires { c.value(of).value_or(0.0); })
+      line += "," + csv_number(c.value(of).value_or(no_number));
+    else
+      line += "," + csv_number(c.value(of));
+  return line;
+}
+
 /// "unbalance, g mm": the title of a key's column.
 std::string column_title(const std::string& key, const std::string& unit);
 /// The columns of all parameters: titles in words, and values in a cell.

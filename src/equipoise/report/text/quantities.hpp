@@ -33,6 +33,9 @@ std::string key_words(const std::string& key);
 /// A key's value as it was given; a plain number gets its symbol, if there is one: "2.4 ω_c".
 std::string value_words(const std::string& key, const std::string& value);
 
+/// The unit in which tables and JSON show a study's numbers.
+inline study::ShownUnit unit_of(const Study& study, study::Dimension d) { return study::shown_unit(d, study.scales); }
+
 class PageQuantities {
  public:
   explicit PageQuantities(const Study& study) : scales_(study.scales) {}
