@@ -6,7 +6,7 @@
 #include "../support/studies.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
-#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/plots/plots.hpp"

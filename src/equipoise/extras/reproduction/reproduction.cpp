@@ -1,4 +1,4 @@
-// The reproduced paper as JSON, and the words of its document.
+// The reproduced paper as JSON; what its basin slices show.
 #include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
@@ -19,43 +19,6 @@
 
 namespace equipoise {
 
-std::string percentage(const Share& s) {
-  const double value = 100.0 * s.share;
-  const int digits = s.count == 0 || value >= 0.1 ? 2 : value >= 0.01 ? 3 : value >= 0.001 ? 4 : 5;
-  return fmt::format("{:.{}f}", value, digits);
-}
-
-CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
-  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
-  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
-  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
-  if (row.by_published_law && row.by_published_law->starts > 0) {
-    words.computed = percentage(cell.computed);
-    words.interval = interval(cell.computed);
-    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
-  }
-  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
-    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
-  return words;
-}
-
-bool is_idle(const ReproducedCell& c) {
-  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
-}
-
-std::string difference_text(const ShareDifference& d) {
-  return fmt::format("{:+.2f} ({:+.2f} to {:+.2f})", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
-}
-
-std::string answer_text(const ConclusionResult& c) {
-  if (c.differences.empty()) return name_of(c.answer);
-  const auto [least, most] =
-      std::minmax_element(c.differences.begin(), c.differences.end(),
-                          [](const auto& a, const auto& b) { return a.difference < b.difference; });
-  if (c.differences.size() == 1) return fmt::format("{}: {}", name_of(c.answer), difference_text(*least));
-  return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
-}
-
 CellCounts all_cells(const Reproduction& r) {
   CellCounts all;
   for (const ReproducedTable& t : r.tables) {
@@ -64,17 +27,6 @@ CellCounts all_cells(const Reproduction& r) {
     all.not_comparable += t.not_comparable;
   }
   return all;
-}
-
-std::string codes_text(const BasinSlice& map) {
-  std::vector<OutcomeShare> codes = map.codes;
-  std::stable_sort(codes.begin(), codes.end(),
-                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
-  std::string list;
-  for (const OutcomeShare& c : codes)
-    if (c.share.count > 0)
-      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
-  return list;
 }
 
 namespace {
