@@ -14,7 +14,6 @@
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/reports/reports.hpp"

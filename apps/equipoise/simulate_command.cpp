@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/text/text.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "options.hpp"

@@ -41,7 +41,6 @@
 #include "equipoise/machine/mechanics/whirl.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/design_words.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/explain/explain.hpp"

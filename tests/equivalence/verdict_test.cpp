@@ -14,7 +14,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"

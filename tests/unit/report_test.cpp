@@ -14,7 +14,6 @@
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
-#include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"

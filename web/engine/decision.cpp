@@ -21,7 +21,7 @@
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"

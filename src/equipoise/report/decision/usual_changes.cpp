@@ -1,5 +1,5 @@
 // What an engineer would change first, each as a study.
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/text/text.hpp"
 #include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/json.hpp"

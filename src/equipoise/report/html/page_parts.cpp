@@ -16,7 +16,6 @@
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
-#include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {

@@ -16,7 +16,6 @@
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/text/quantities.hpp"
-#include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/html/page_parts.hpp"

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/reports/basin_parts.hpp"
 #include "equipoise/report/reports/transient_report.hpp"

@@ -11,7 +11,6 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
