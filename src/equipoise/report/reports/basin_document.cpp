@@ -104,23 +104,22 @@ std::string none_words(const BasinResult& r) {
 
 class BasinDocument {
  public:
-  enum class Extent { brief, full, page };
-  BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, Extent extent, const MachinePage* page)
-      : r_(r), tried_(tried), extent_(extent), page_(page), study_(r.study), shown_(r.study) {
+  BasinDocument(const BasinResult& r, std::span<const TriedChange> tried, const MachinePage* page)
+      : r_(r), tried_(tried), page_(page), study_(r.study), shown_(r.study) {
     if (r.transients) all_ = r.transients->of(std::nullopt);
   }
 
-  Document make() {
+  Document make(bool brief) {
     const auto verdict = verdict_of(r_, tried_);
     std::optional<Notice> notice;
     if (verdict) notice = verdict_notice(*verdict);
     const std::string answer = notice && !page_ ? "" : answer_sentence(r_);  // a page has room for both
     document_ = document_with(study_, answer, r_.own_starts ? "" : uncertain_text(study_), notice);
-    if (extent_ == Extent::brief) document_.blocks.pop_back();  // the study is at the end, in short
+    if (brief) document_.blocks.pop_back();  // the study is at the end, in short
     stopped();
     if (study_.parameters.balls > 0 && !r_.note.empty())
       document_.add(Paragraph{fmt::format("Note: {}.", note_text(study_, r_.note)), Tone::open});
-    extent_ == Extent::brief ? in_brief() : in_full();
+    brief ? in_brief() : in_full();
     return std::move(document_);
   }
 
@@ -293,7 +292,6 @@ class BasinDocument {
 
   const BasinResult& r_;
   const std::span<const TriedChange> tried_;
-  const Extent extent_;
   const MachinePage* page_;  // null: no drawings
   const TransientGroup* all_ = nullptr;
   const Study& study_;
@@ -304,14 +302,11 @@ class BasinDocument {
 }  // namespace
 
 std::string basin_text(const BasinResult& result, const TextStyle& style, std::span<const TriedChange> tried) {
-  using Extent = BasinDocument::Extent;
-  return document_text(BasinDocument(result, tried, style.details ? Extent::full : Extent::brief, nullptr).make(),
-                       style);
+  return document_text(BasinDocument(result, tried, nullptr).make(!style.details), style);
 }
 
 std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
-  return document_page(BasinDocument(page.basin, tried, BasinDocument::Extent::page, &page).make(), page.basin.study,
-                       page);
+  return document_page(BasinDocument(page.basin, tried, &page).make(false), page.basin.study, page);
 }
 
 }  // namespace equipoise
