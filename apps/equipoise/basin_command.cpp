@@ -15,7 +15,7 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/decision/verdict.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "options.hpp"

@@ -45,7 +45,6 @@
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
-#include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
