@@ -1,5 +1,5 @@
 // What an ensemble comes to for those who have to decide whether to fit the balancer: the first lines of every answer.
-// This room: the verdict, an engineer's words for what balls do, and the usual changes, each tried.
+// This room: the verdict, what standards make of a machine, and the usual changes, each tried.
 #pragma once
 
 #include <array>

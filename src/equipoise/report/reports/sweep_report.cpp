@@ -200,7 +200,7 @@ void add_notes(Document& document, const SweepResult& r) {
 
 }  // namespace
 
-// Without units: cells may differ in the scales of their machines.
+// Of a cell, dimensionless.
 void to_json(Json& json, const TransientGroup& group) {
   json = Json::object();
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
