@@ -29,12 +29,6 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-void read_table(const StudyFile& file, const char* table, Study& study) {
-  TableReader reader(file, table);
-  read_keys(reader, table, study);
-  reader.finish();
-}
-
 void read_release(const StudyFile& file, Study& study) {
   if (study.parameters.balls > 0)
     read_table(file, "release", study);
