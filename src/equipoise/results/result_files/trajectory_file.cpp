@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {
@@ -23,11 +22,11 @@ std::string trajectory_csv(const Trajectory& r, const Study& study) {
     }
     text.back() = '\n';  // instead of the last comma
   };
-  cells([&](const auto& c) { append("{},", csv_title(c, study)); },
+  cells([&](const auto& c) { append("{},", csv_title(c, study.scales)); },
         [&](TrajectoryColumn c, std::size_t i) {
           const std::string name = fmt::format("{}_{}", c.name, i + 1);
           c.name = name.c_str();
-          append("{},", csv_title(c, study));
+          append("{},", csv_title(c, study.scales));
         });
   for (std::size_t k = 0; k < r.t.size(); ++k)
     cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
