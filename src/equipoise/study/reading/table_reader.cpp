@@ -138,8 +138,8 @@ Measured measure_value(const StudyValue& value, const Wanted& wanted,
 }
 
 std::string key_here(const StudyValue& root, const std::string& key) {
-  const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
-  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
+  const std::string* profile = key == "speed.final" ? root.find_text("speed.profile") : nullptr;
+  return profile && *profile == "constant" ? "speed.speed" : key;
 }
 
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {

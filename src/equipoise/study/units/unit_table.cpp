@@ -144,25 +144,18 @@ TableUnit power(const TableUnit& a, int n) {
   return {std::pow(a.si, n), n * a.kilogram, n * a.metre, n * a.second, n * a.radian};
 }
 
-constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"⁰", '0'},
-                                                                    {"¹", '1'},
-                                                                    {"²", '2'},
-                                                                    {"³", '3'},
-                                                                    {"⁴", '4'},
-                                                                    {"⁵", '5'},
-                                                                    {"⁶", '6'},
-                                                                    {"⁷", '7'},
-                                                                    {"⁸", '8'},
-                                                                    {"⁹", '9'},
-                                                                    {"⁻", '-'}}};
-// The middle dot and the dot operator; no-break, narrow no-break and thin spaces.
-constexpr std::array<std::pair<std::string_view, char>, 5> signs{
-    {{"\u00B7", '.'}, {"\u22C5", '.'}, {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '}}};
+// Characters, and the plain sign of each. The latter: the middle dot and the dot operator; no-break, narrow no-break
+// and thin spaces.
+struct Signs {
+  std::string_view characters, plain;
+};
+constexpr Signs raised{"⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"}, dots_and_spaces{"\u00B7\u22C5\u00A0\u202F\u2009", "..   "};
 
-template <class Table>
-char meaning(const Table& table, std::string_view character) {
-  const auto at = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == character; });
-  return at == table.end() ? 0 : at->second;
+char meaning(const Signs& signs, std::string_view character) {
+  std::size_t k = 0;
+  for (std::size_t at = 0; at < signs.characters.size(); at += character_length(signs.characters, at), ++k)
+    if (signs.characters.substr(at).starts_with(character)) return signs.plain[k];
+  return 0;
 }
 
 std::string in_plain_signs(std::string_view text) {
@@ -173,7 +166,7 @@ std::string in_plain_signs(std::string_view text) {
     const std::string_view character = text.substr(at, length);
     at += length;
     const bool ascii = length == 1;
-    const char power = ascii ? 0 : meaning(raised, character), sign = ascii ? 0 : meaning(signs, character);
+    const char power = ascii ? 0 : meaning(raised, character), sign = ascii ? 0 : meaning(dots_and_spaces, character);
     if (power && !in_power) plain += '^';
     in_power = power != 0;
     if (power || sign)
