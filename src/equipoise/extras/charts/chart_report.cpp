@@ -15,7 +15,6 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 
@@ -369,7 +368,8 @@ std::string chart_csv(const BifurcationChart& chart) {
       chart.complete ? "" : fmt::format("# equipoise {}: chart, PARTIAL: stopped early\n", version_string);
   const PlaneColumns axes(chart.plane.study, chart.plane.x, chart.plane.y);
   text += "curve,kind,of," + axes.titles;
-  for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_title(curve_numbers[n], chart.plane.study);
+  for (std::size_t n = 2; n < curve_numbers.size(); ++n)
+    text += "," + csv_title(curve_numbers[n], chart.plane.study.scales);
   text += "\n";
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {

@@ -15,7 +15,6 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/motion_words.hpp"
@@ -245,7 +244,7 @@ std::string stability_csv(const StabilityPlane& plane) {
       plane.complete ? "" : fmt::format("# equipoise {}: stability, PARTIAL: stopped early\n", version_string);
   const PlaneColumns axes(plane.study, plane.x, plane.y);
   text += axes.titles;
-  for (const PointNumber& n : point_numbers) text += "," + csv_title(n, plane.study);
+  for (const PointNumber& n : point_numbers) text += "," + csv_title(n, plane.study.scales);
   text += "\n";
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) {
