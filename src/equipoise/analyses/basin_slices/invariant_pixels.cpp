@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/core/base/angles.hpp"
 
@@ -42,7 +43,7 @@ InvariantPixels::InvariantPixels(const BasinSlice& plane) {
   if (pairs_.empty()) return;
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) count_ += holds(column, row);
-  if (count_ < static_cast<std::uint64_t>(plane.x.pixels) * static_cast<std::uint64_t>(plane.y.pixels)) return;
+  if (count_ < pixels_of(plane.x, plane.y)) return;
   pairs_.clear();
   count_ = 0;
   everywhere_ = true;

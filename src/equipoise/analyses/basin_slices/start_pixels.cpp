@@ -148,11 +148,7 @@ bool StartPixels::compute(const std::vector<std::uint32_t>& positions) {
   if (unread_ || session_.stopped()) return false;
   const auto start_at = [&](std::uint32_t position) { return family_start(position); };
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
-  const LineMotions* lines = lines_ ? &*lines_ : nullptr;
-  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session_, lines, positions, chunk); },
-                       .threads = map_.threads,
-                       .stop = options_.stop};
-  return take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+  return take_all(session_, lines_ ? &*lines_ : nullptr, positions, [&](Chunk& chunk) {
     hand_on(positions, chunk);
     return true;
   });
@@ -188,10 +184,7 @@ std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& posi
   RunCatalogue catalogue = catalogue_;
   const auto ends_of = [&](const Session& session) {  // names of motions; empty without one
     std::vector<std::string> ends;
-    const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session, nullptr, positions, chunk); },
-                         .threads = map_.threads,
-                         .stop = options_.stop};
-    take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+    take_all(session, nullptr, positions, [&](Chunk& chunk) {
       catalogue.settle(chunk);
       for (const Outcome& outcome : chunk.outcomes) {
         const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue.find(outcome.attractor) : nullptr;
@@ -210,6 +203,14 @@ std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& posi
     flipped += given[k] != finer[k];
   }
   return wilson_share(flipped, tried);
+}
+
+bool StartPixels::take_all(const Session& session, const LineMotions* lines,
+                           const std::vector<std::uint32_t>& positions, const TakeChunk& take) const {
+  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session, lines, positions, chunk); },
+                       .threads = map_.threads,
+                       .stop = options_.stop};
+  return take_chunks(work, 0, positions.size(), take);
 }
 
 bool StartPixels::decide(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,

@@ -57,6 +57,8 @@ class StartPixels {
   InitialState start(std::uint32_t position) const;
   FamilyStart family_start(std::uint32_t position) const;
   // `lines`: the motions of lines that have been probed, or null.
+  bool take_all(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,
+                const TakeChunk& take) const;
   bool decide(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,
               Chunk& chunk) const;
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk);
