@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
 #include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/basin_slices/slice_figures.hpp"
 #include "equipoise/analyses/basin_slices/slice_names.hpp"
