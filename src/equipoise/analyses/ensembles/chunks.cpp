@@ -12,8 +12,6 @@
 
 namespace equipoise {
 
-namespace {
-
 // How many starts a thread takes at a time: large enough that lanes seldom wait for a chunk's last trajectory, small
 // enough that every thread gets many chunks and none takes much over a second, so that finished starts soon reach the
 // file. Results do not depend on it.
@@ -33,6 +31,8 @@ class ChunkSize {
   std::uint64_t most_;
   std::atomic<double> pace_{0.0};  // seconds a start, in the last finished chunk
 };
+
+namespace {
 
 // How many chunks may be ahead of the first one not passed on: two a thread, and room for helpers.
 std::size_t most_open(const ChunkWork& work) {
