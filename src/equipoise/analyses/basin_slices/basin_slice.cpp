@@ -244,7 +244,7 @@ class MapRun {
     if (file_ && (file_->unfinished() || complete_)) file_->finish(map_.codes, seen, complete_, flipped_);
   }
 
-  // Reads all rows in order and counts: shares and figures. Of a large slice, only some pixels stay in the result.
+  // Reads all rows in order and counts: shares and figures. If the slice is large, only some pixels stay in the result.
   void assemble(const std::map<short, OutcomeShare>& seen) {
     map_.codes = map_codes(seen, map_.study);
     map_.pixels = pixels_of(map_.x, map_.y);

@@ -79,7 +79,7 @@ class ChunkQueue {
     return true;
   }
 
-  // Hands nothing more out; returns when all that was handed out is back. What the queue refers to may go then.
+  // Hands nothing more out, and waits for the chunks at work. What the queue refers to may end after that.
   void close() {
     std::unique_lock lock(mutex_);
     closed_ = true;

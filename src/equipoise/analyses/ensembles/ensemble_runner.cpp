@@ -1,4 +1,4 @@
-// What an ensemble's options ask of its study and its search; one start by itself; the words of the note about open
+// Applies an ensemble's options to its study and its search; decides one start by itself; writes the note about open
 // starts.
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 

@@ -1,5 +1,4 @@
-// The parts of basin() that it does not need alone: its study and search as its options ask; the note about open
-// starts.
+// Parts of basin() that others share: the study and the search that its options define, and the note about open starts.
 #pragma once
 
 #include <functional>
