@@ -15,7 +15,7 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/report/decision/verdict.hpp"
-#include "equipoise/analyses/ensembles/write_basin.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/report/reports/reports.hpp"

@@ -17,7 +17,7 @@
 #include "equipoise/analyses/design/design.hpp"
 #include "equipoise/analyses/design/problem.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/write_basin.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/analyses/one_study/basin_cost.hpp"

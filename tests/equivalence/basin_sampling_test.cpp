@@ -11,8 +11,8 @@
 
 #include "../support/files.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/ensembles/sampling_choice.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
+#include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"

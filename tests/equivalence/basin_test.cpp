@@ -11,7 +11,7 @@
 #include "../support/sizes.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"

@@ -11,7 +11,7 @@
 #include "../support/refusals.hpp"
 #include "../support/sizes.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/write_basin.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"

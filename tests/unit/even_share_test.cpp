@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/ensembles/sampling_choice.hpp"
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/statistics/even_share.hpp"

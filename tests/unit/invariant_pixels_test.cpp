@@ -1,5 +1,5 @@
 // Pixels on which alike balls move as one.
-#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
+#include "equipoise/analyses/basin_slices/start_pixels.hpp"
 
 #include <string>
 

@@ -18,7 +18,6 @@
 #include "../support/studies.hpp"
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
-#include "equipoise/analyses/sweeps/attractor_labels.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
 #include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/basin_slices/slice_figures.hpp"
 #include "equipoise/analyses/basin_slices/slice_names.hpp"
@@ -22,7 +20,7 @@
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -77,8 +75,7 @@ void check_decides(const Study& study) {
 }
 
 void check_memory(const BasinSlice& map, const std::string& output) {
-  const std::uint64_t pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
-  if (output.empty() && pixels > most_pixels_in_memory)
+  if (output.empty() && pixels_of(map.x, map.y) > most_pixels_in_memory)
     throw InputError("map", "size", fmt::format("{}x{}", map.x.pixels, map.y.pixels),
                      fmt::format("pixels; more than {:.1f} million in all (4096x4096) must go to an output file",
                                  1e-6 * static_cast<double>(most_pixels_in_memory)));
@@ -97,120 +94,7 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   return codes;
 }
 
-// Reads all rows of a slice in order, renames codes by `seen`, and counts. Adds to `map`, whose axes are those of the
-// whole slice: pixels (of a large slice, only some), shares, figures.
-class SliceAssembly {
- public:
-  using ReadRows = std::function<void(int first, int rows, SlicePixel* pixels)>;  // whole rows
-  SliceAssembly(BasinSlice& map, const ReadRows& read_rows, const std::map<short, OutcomeShare>& seen);
-  void run();
-
- private:
-  short id_of(short code) const;
-  void give_codes(std::vector<SlicePixel>& pixels) const;
-  void add_row(int row, const SlicePixel* pixels);
-  void hold(const SlicePixel* pixels);
-  void finish();
-
-  BasinSlice& map_;
-  const ReadRows& read_rows_;
-  const std::map<short, OutcomeShare>& seen_;
-  SliceFigureCount figures_;
-  const InvariantPixels invariant_;
-  std::map<short, std::uint64_t> counts_;
-  bool one_rotor_;
-  int every_ = 1;
-};
-
-// Rows read at once.
-constexpr int band_rows = 64;
-
-SliceAssembly::SliceAssembly(BasinSlice& map, const ReadRows& read_rows, const std::map<short, OutcomeShare>& seen)
-    : map_(map),
-      read_rows_(read_rows),
-      seen_(seen),
-      figures_(map),
-      invariant_(map),
-      one_rotor_(!map.balance_margin.empty()) {
-  map_.codes = map_codes(seen, map.study);
-  map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
-  if (map_.pixels > most_pixels_in_memory)
-    every_ = (std::max(map.x.pixels, map.y.pixels) + most_held_side - 1) / most_held_side;
-  every_ = std::min({every_, map.x.pixels, map.y.pixels});
-  const std::size_t held =
-      static_cast<std::size_t>(thinned(map.x, every_).pixels) * static_cast<std::size_t>(thinned(map.y, every_).pixels);
-  map.code.reserve(held);
-  map.time.reserve(held);
-  map.r_max.reserve(held);
-}
-
-// Codes may come from a file, and be anything.
-short SliceAssembly::id_of(short code) const {
-  const auto found = seen_.find(code);
-  if (found == seen_.end())
-    throw RunError(fmt::format("the map is damaged: a pixel has outcome {}, which it does not name", code));
-  return static_cast<short>(found->second.id);
-}
-
-void SliceAssembly::run() {
-  const std::size_t columns = static_cast<std::size_t>(map_.x.pixels);
-  std::vector<SlicePixel> pixels;
-  for (int first = 0; first < map_.y.pixels; first += band_rows) {
-    const int there = std::min(band_rows, map_.y.pixels - first);
-    pixels.resize(columns * static_cast<std::size_t>(there));
-    read_rows_(first, there, pixels.data());
-    give_codes(pixels);
-    for (int row = 0; row < there; ++row) add_row(first + row, pixels.data() + columns * static_cast<std::size_t>(row));
-  }
-  finish();
-}
-
-void SliceAssembly::give_codes(std::vector<SlicePixel>& pixels) const {
-  const bool same = std::all_of(seen_.begin(), seen_.end(), [](const auto& s) { return s.first == s.second.id; });
-  if (same) return;
-  for (SlicePixel& pixel : pixels)
-    if (pixel.code > 0) pixel.code = id_of(pixel.code);
-}
-
-void SliceAssembly::add_row(int row, const SlicePixel* pixels) {
-  const std::size_t columns = static_cast<std::size_t>(map_.x.pixels);
-  std::vector<short> codes(columns);
-  for (std::size_t k = 0; k < columns; ++k) {
-    codes[k] = invariant_.holds(static_cast<int>(k), row) ? left_out_code : pixels[k].code;
-    map_.pixels_computed += pixels[k].code != not_computed_code;
-  }
-  for (std::size_t begin = 0, end = 0; begin < columns; begin = end) {  // rows are long runs of one code
-    while (end < columns && codes[end] == codes[begin]) ++end;
-    counts_[codes[begin]] += end - begin;
-  }
-  if (!counts_.contains(not_computed_code)) figures_.add_row(codes.data());  // only a complete map has any
-  if (row % every_ == first_of(every_)) hold(pixels);
-}
-
-void SliceAssembly::hold(const SlicePixel* pixels) {
-  for (int column = first_of(every_); column < map_.x.pixels; column += every_) {
-    const SlicePixel& pixel = pixels[column];
-    map_.code.push_back(pixel.code);
-    map_.time.push_back(pixel.time);
-    map_.r_max.push_back(pixel.r_max);
-    if (one_rotor_) continue;
-    map_.balance_margin.push_back(pixel.balance_margin);
-    map_.balance_growth.push_back(pixel.balance_growth);
-  }
-}
-
-void SliceAssembly::finish() {
-  const std::uint64_t missing = counts_[not_computed_code];
-  map_.complete = map_.pixels_computed == map_.pixels;
-  map_.pixels_left_out = invariant_.count();
-  map_.balls_together = invariant_.everywhere();
-  for (OutcomeShare& code : map_.codes)
-    code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - map_.pixels_left_out - missing);
-  if (map_.complete && !draws_starts(map_)) map_.figures = figures_.figures();
-  map_.x = thinned(map_.x, every_);
-  map_.y = thinned(map_.y, every_);
-  map_.every = every_;
-}
+constexpr int band_rows = 64;  // read at once
 
 // A 32nd of the pixels that count, because following them again takes time, and no more than a share needs. They are
 // spread over the slice by the additive recurrence of M. Roberts (extremelearning.com.au, 2018). None of a small slice,
@@ -219,8 +103,7 @@ std::vector<std::uint32_t> spread_pixels(const BasinSlice& map) {
   constexpr std::uint64_t part = 32, fewest = 100, most = 1024;
   constexpr double across = 0.7548776662466927, up = 0.5698402909980532;
   const InvariantPixels invariant(map);
-  const std::uint64_t all = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
-  const std::uint64_t wanted = std::min(most, (all - invariant.count()) / part);
+  const std::uint64_t wanted = std::min(most, (pixels_of(map.x, map.y) - invariant.count()) / part);
   std::vector<std::uint32_t> positions;
   if (wanted < fewest || draws_starts(map)) return positions;
   for (double k = 1.0; positions.size() < wanted; ++k) {
@@ -260,10 +143,6 @@ class MapRun {
   }
 
  private:
-  std::size_t pixel_count() const {
-    return static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels);
-  }
-
   void prepare() {
     note_machine(map_, settings_);
     starts_ = maps_starts(map_);
@@ -289,7 +168,7 @@ class MapRun {
       give_notice(settings_, file_->loss());
       for (const OutcomeShare& code : file_->codes()) names_.know(code);
     } else {
-      held_.resize(pixel_count());
+      held_.resize(pixels_of(map_.x, map_.y));
     }
   }
 
@@ -303,7 +182,7 @@ class MapRun {
   }
 
   void compute() {
-    known_.assign(pixel_count(), false);
+    known_.assign(pixels_of(map_.x, map_.y), false);
     if (file_)
       file_->for_each_known([&](std::uint32_t position, short code) {
         if (code > 0 && !names_.listed(code)) return names_.avoid(code);  // computed again
@@ -365,13 +244,72 @@ class MapRun {
     if (file_ && (file_->unfinished() || complete_)) file_->finish(map_.codes, seen, complete_, flipped_);
   }
 
+  // Reads all rows in order and counts: shares and figures. If the slice is large, only some pixels stay in the result.
   void assemble(const std::map<short, OutcomeShare>& seen) {
-    const SliceAssembly::ReadRows read_rows = [this](int first, int rows, SlicePixel* to) {
-      if (file_) return file_->read_rows(first, rows, to);
-      const auto columns = static_cast<std::size_t>(map_.x.pixels);
-      std::copy_n(&held_[static_cast<std::size_t>(first) * columns], static_cast<std::size_t>(rows) * columns, to);
-    };
-    SliceAssembly(map_, read_rows, seen).run();
+    map_.codes = map_codes(seen, map_.study);
+    map_.pixels = pixels_of(map_.x, map_.y);
+    if (map_.pixels > most_pixels_in_memory)
+      map_.every = (std::max(map_.x.pixels, map_.y.pixels) + most_held_side - 1) / most_held_side;
+    map_.every = std::min({map_.every, map_.x.pixels, map_.y.pixels});
+    const SliceAxis x = thinned(map_.x, map_.every), y = thinned(map_.y, map_.every);
+    map_.code.reserve(pixels_of(x, y));
+    map_.time.reserve(pixels_of(x, y));
+    map_.r_max.reserve(pixels_of(x, y));
+    const InvariantPixels invariant(map_);
+    SliceFigureCount figures(map_);
+    std::map<short, std::uint64_t> counts;
+    std::vector<short> codes(static_cast<std::size_t>(map_.x.pixels));
+    std::vector<SlicePixel> pixels;
+    for (int row = 0; row < map_.y.pixels; ++row) {
+      if (row % band_rows == 0) pixels = rows_from(row, seen);
+      const SlicePixel* line = &pixels[codes.size() * static_cast<std::size_t>(row % band_rows)];
+      for (std::size_t k = 0; k < codes.size(); ++k) {
+        codes[k] = invariant.holds(static_cast<int>(k), row) ? left_out_code : line[k].code;
+        map_.pixels_computed += line[k].code != not_computed_code;
+      }
+      for (std::size_t begin = 0, end = 0; begin < codes.size(); begin = end) {  // rows are long runs of one code
+        while (end < codes.size() && codes[end] == codes[begin]) ++end;
+        counts[codes[begin]] += end - begin;
+      }
+      if (!counts.contains(not_computed_code)) figures.add_row(codes.data());  // only a complete map has any
+      if (row % map_.every == first_of(map_.every)) hold(line);
+    }
+    map_.complete = map_.pixels_computed == map_.pixels;
+    map_.pixels_left_out = invariant.count();
+    map_.balls_together = invariant.everywhere();
+    const std::uint64_t counted = map_.pixels - map_.pixels_left_out - counts[not_computed_code];
+    for (OutcomeShare& code : map_.codes) code.share = wilson_share(counts[static_cast<short>(code.id)], counted);
+    if (map_.complete && !draws_starts(map_)) map_.figures = figures.figures();
+    map_.x = x;
+    map_.y = y;
+  }
+
+  // A band of rows, with final codes.
+  std::vector<SlicePixel> rows_from(int first, const std::map<short, OutcomeShare>& seen) const {
+    const int rows = std::min(band_rows, map_.y.pixels - first);
+    const auto columns = static_cast<std::size_t>(map_.x.pixels);
+    std::vector<SlicePixel> pixels(columns * static_cast<std::size_t>(rows));
+    if (file_)
+      file_->read_rows(first, rows, pixels.data());
+    else
+      std::copy_n(&held_[static_cast<std::size_t>(first) * columns], pixels.size(), pixels.begin());
+    if (std::all_of(seen.begin(), seen.end(), [](const auto& s) { return s.first == s.second.id; })) return pixels;
+    for (SlicePixel& pixel : pixels) {
+      if (pixel.code <= 0) continue;
+      const auto found = seen.find(pixel.code);
+      if (found == seen.end())  // codes may come from a file, and be anything
+        throw RunError(fmt::format("the map is damaged: a pixel has outcome {}, which it does not name", pixel.code));
+      pixel.code = static_cast<short>(found->second.id);
+    }
+    return pixels;
+  }
+
+  void hold(const SlicePixel* pixels) {
+    for (int column = first_of(map_.every); column < map_.x.pixels; column += map_.every) {
+      map_.code.push_back(pixels[column].code);
+      visit_pixel_numbers(starts_,
+                          [&](std::size_t, const PixelNumber& n) { (map_.*n.all).push_back(pixels[column].*n.value); });
+    }
   }
 
   const BasinSliceSettings& settings_;

@@ -1,6 +1,7 @@
 // Reads axes and links of a slice as people write them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "equipoise/core/base/error.hpp"
@@ -14,6 +15,10 @@ inline constexpr char set_by_other_axis[] = "varies nothing: {}, the other axis,
 /// study with scales; empty: a whole turn for ball angles. `option` names it in errors. Throws InputError.
 SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
                      const std::string& option);
+
+inline std::size_t pixels_of(const SliceAxis& x, const SliceAxis& y) {
+  return static_cast<std::size_t>(x.pixels) * static_cast<std::size_t>(y.pixels);
+}
 
 /// Throws InputError about `made` ("map", "stability") if an axis has no range or a wrong number of `points`, as its
 /// parts are called, or if both axes have one key.

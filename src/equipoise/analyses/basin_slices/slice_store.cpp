@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
@@ -12,14 +13,10 @@ namespace equipoise {
 
 namespace {
 
-std::uint64_t pixels_of(const io::SliceFileHeader& header) {
-  return static_cast<std::uint64_t>(header.x.pixels) * static_cast<std::uint64_t>(header.y.pixels);
-}
-
 io::RowStore::Layout layout_of(const io::SliceFileHeader& header) {
   return {.rows = io::Journal::Kind::pixels,
           .text = io::Journal::Kind::outcome_name,
-          .most = pixels_of(header),
+          .most = pixels_of(header.x, header.y),
           .lines = "y",
           .of_line = static_cast<std::size_t>(header.x.pixels),
           .columns = io::pixel_columns(header.one_rotor),
@@ -37,7 +34,8 @@ SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& heade
     codes_ = io::read_outcome_kinds(*results(), "");
     header_.flipped = io::read_flipped(*results());
     std::erase_if(codes_, [](const OutcomeShare& c) { return c.id <= 0; });
-    if (finished() != pixels_of(header_)) refuse(this->path(), "is damaged: it has another number of pixels");
+    if (finished() != pixels_of(header_.x, header_.y))
+      refuse(this->path(), "is damaged: it has another number of pixels");
   });
   if (says_complete()) forget();  // killed before the journal was removed
   // Name and alias, one per line.
@@ -62,8 +60,8 @@ void SliceStore::for_each_known(const std::function<void(std::uint32_t, short)>&
   constexpr std::size_t lines = 64;  // read at once
   const std::size_t each = lines * static_cast<std::size_t>(header_.x.pixels);
   std::vector<double> codes;
-  for (std::uint64_t first = 0; first < pixels_of(header_); first += codes.size()) {
-    codes.resize(std::min<std::uint64_t>(each, pixels_of(header_) - first));
+  for (std::uint64_t first = 0; first < pixels_of(header_.x, header_.y); first += codes.size()) {
+    codes.resize(std::min<std::uint64_t>(each, pixels_of(header_.x, header_.y) - first));
     read_pixels(0, first, codes.size(), codes.data());
     for (std::size_t k = 0; k < codes.size(); ++k)
       if (codes[k] != not_computed_code) visit(static_cast<std::uint32_t>(first + k), static_cast<short>(codes[k]));

@@ -10,8 +10,10 @@
 #include <string>
 #include <utility>
 
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/room_in_race.hpp"
@@ -122,6 +124,52 @@ Study study_at(const BasinSlice& map, int column, int row) {
   return study;
 }
 
+InvariantPixels::InvariantPixels(const BasinSlice& plane) {
+  if (draws_starts(plane)) return;
+  const model::Parameters p = study_at(plane, 0, 0).parameters;
+  const auto start = [&](int column, int row) { return start_at(plane, column, row); };
+  const InitialState corner = start(0, 0);
+  for (int i = 0; i < p.balls; ++i)
+    for (int k = 0; k < i; ++k) {
+      if (!p.balls_collide() && !p.alike(i, k)) continue;
+      const auto angle = [&](const InitialState& s) { return s.phi[i] - s.phi[k]; };
+      const auto rate = [&](const InitialState& s) { return s.phi_dot[i] - s.phi_dot[k]; };
+      Pair pair;
+      if (p.balls_collide()) pair.meet = {p.contact_angle, std::numeric_limits<double>::infinity()};
+      for (int column = 0; column < plane.x.pixels; ++column) {
+        pair.angle_of_column.push_back(angle(start(column, 0)));
+        pair.rate_of_column.push_back(rate(start(column, 0)));
+      }
+      for (int row = 0; row < plane.y.pixels; ++row) {
+        pair.angle_of_row.push_back(angle(start(0, row)) - angle(corner));
+        pair.rate_of_row.push_back(rate(start(0, row)) - rate(corner));
+      }
+      const auto varies = [](const std::vector<double>& values) {
+        return std::any_of(values.begin(), values.end(), [&](double v) { return v != values.front(); });
+      };
+      if (varies(pair.angle_of_column) || varies(pair.angle_of_row) || varies(pair.rate_of_column) ||
+          varies(pair.rate_of_row))
+        pairs_.push_back(std::move(pair));
+      else
+        everywhere_ = everywhere_ || model::coincide(p, i, k, corner.phi.data(), corner.phi_dot.data());
+    }
+  if (pairs_.empty()) return;
+  for (int row = 0; row < plane.y.pixels; ++row)
+    for (int column = 0; column < plane.x.pixels; ++column) count_ += holds(column, row);
+  if (count_ < pixels_of(plane.x, plane.y)) return;
+  pairs_.clear();
+  count_ = 0;
+  everywhere_ = true;
+}
+
+bool InvariantPixels::holds(int column, int row) const {
+  const auto x = static_cast<std::size_t>(column), y = static_cast<std::size_t>(row);
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    return std::fabs(pair.rate_of_column[x] + pair.rate_of_row[y]) < pair.meet.rate &&
+           std::fabs(wrapped(pair.angle_of_column[x] + pair.angle_of_row[y])) < pair.meet.angle;
+  });
+}
+
 StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, SliceNames& names, SliceStore* file,
                          Take take)
     : map_(map),
@@ -148,11 +196,7 @@ bool StartPixels::compute(const std::vector<std::uint32_t>& positions) {
   if (unread_ || session_.stopped()) return false;
   const auto start_at = [&](std::uint32_t position) { return family_start(position); };
   if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
-  const LineMotions* lines = lines_ ? &*lines_ : nullptr;
-  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session_, lines, positions, chunk); },
-                       .threads = map_.threads,
-                       .stop = options_.stop};
-  return take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+  return take_all(session_, lines_ ? &*lines_ : nullptr, positions, [&](Chunk& chunk) {
     hand_on(positions, chunk);
     return true;
   });
@@ -188,10 +232,7 @@ std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& posi
   RunCatalogue catalogue = catalogue_;
   const auto ends_of = [&](const Session& session) {  // names of motions; empty without one
     std::vector<std::string> ends;
-    const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session, nullptr, positions, chunk); },
-                         .threads = map_.threads,
-                         .stop = options_.stop};
-    take_chunks(work, 0, positions.size(), [&](Chunk& chunk) {
+    take_all(session, nullptr, positions, [&](Chunk& chunk) {
       catalogue.settle(chunk);
       for (const Outcome& outcome : chunk.outcomes) {
         const Attractor* a = outcome.kind == OutcomeKind::attracted ? catalogue.find(outcome.attractor) : nullptr;
@@ -210,6 +251,14 @@ std::optional<Share> StartPixels::flipped(const std::vector<std::uint32_t>& posi
     flipped += given[k] != finer[k];
   }
   return wilson_share(flipped, tried);
+}
+
+bool StartPixels::take_all(const Session& session, const LineMotions* lines,
+                           const std::vector<std::uint32_t>& positions, const TakeChunk& take) const {
+  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(session, lines, positions, chunk); },
+                       .threads = map_.threads,
+                       .stop = options_.stop};
+  return take_chunks(work, 0, positions.size(), take);
 }
 
 bool StartPixels::decide(const Session& session, const LineMotions* lines, const std::vector<std::uint32_t>& positions,

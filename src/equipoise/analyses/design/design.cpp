@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/design/ensembles.hpp"
-#include "equipoise/analyses/design/margins.hpp"
 #include "equipoise/analyses/design/race.hpp"
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/design/standing.hpp"
@@ -66,7 +65,7 @@ class DesignRun {
     if (result_.chosen) {
       const DesignCandidate& best = result_.front[*result_.chosen];
       result_.feasible = standing_.violation(best.best_known(), Side::worst) == 0.0;
-      result_.limited_by = design_limits_reached(problem_, standing_, best);
+      result_.limited_by = design_limits_reached(standing_, best);
       result_.best_study = to_toml(problem_.tree_of(best.changes()));
     }
     result_.took(clock.time());
@@ -103,7 +102,7 @@ class DesignRun {
   std::size_t most_ensembles() const { return static_cast<std::size_t>(2 * result_.budget / fewest_starts()) + 1000; }
 
   void find() {
-    Race race(problem_, standing_, *ensembles_, part(for_search), result_.search_seed,
+    Race race(standing_, *ensembles_, part(for_search), result_.search_seed,
               [this](const DesignCandidate* best) { tell(best); });
     const SearchSpace space{problem_.dimensions(), result_.objectives.size(),
                             std::max<std::uint64_t>(part(for_search) / (problem_.first_look() * 3 / 2), 8)};
@@ -275,7 +274,7 @@ class DesignRun {
     if (!result_.chosen) return;
     const std::uint64_t starts = each(part(for_margins), margin_points(problem_));
     result_.margins =
-        design_margins(problem_, standing_, *ensembles_, result_.front[*result_.chosen], starts, result_.held_out_seed);
+        design_margins(standing_, *ensembles_, result_.front[*result_.chosen], starts, result_.held_out_seed);
   }
 
   void tell(const DesignCandidate* best) {

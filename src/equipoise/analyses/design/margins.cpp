@@ -1,5 +1,5 @@
 // One number at a time.
-#include "equipoise/analyses/design/margins.hpp"
+#include "equipoise/analyses/design/race.hpp"
 
 #include <algorithm>
 #include <array>
@@ -118,8 +118,8 @@ std::vector<DesignSetting> settings_with(const DesignCandidate& chosen, const Mo
 
 class MarginJudge {
  public:
-  MarginJudge(const DesignProblem& problem, const DesignStanding& standing, const DesignSample& chosen)
-      : problem_(problem), standing_(standing), chosen_(chosen) {}
+  MarginJudge(const DesignStanding& standing, const DesignSample& chosen)
+      : problem_(standing.problem()), standing_(standing), chosen_(chosen) {}
 
   // What fails there; empty: nothing.
   std::string failure(const DesignSample& sample) const {
@@ -172,14 +172,13 @@ class MarginJudge {
 
 std::size_t margin_points(const DesignProblem& problem) { return 2 * margin_parts.size() * problem.dimensions(); }
 
-std::vector<DesignMargin> design_margins(const DesignProblem& problem, const DesignStanding& standing,
-                                         DesignEnsembles& ensembles, const DesignCandidate& chosen,
-                                         std::uint64_t starts, std::uint64_t seed) {
+std::vector<DesignMargin> design_margins(const DesignStanding& standing, DesignEnsembles& ensembles,
+                                         const DesignCandidate& chosen, std::uint64_t starts, std::uint64_t seed) {
   const DesignSample here = ensembles.run({{chosen.changes(), starts, seed}}).front();
   if (here.figures.empty()) return {};
-  const MarginJudge judge(problem, standing, here);
+  const MarginJudge judge(standing, here);
   std::vector<DesignMargin> margins;
-  for (const Movable& m : movables_of(problem, chosen)) {
+  for (const Movable& m : movables_of(standing.problem(), chosen)) {
     const std::vector<StudyValue> values = values_around(m);
     std::vector<WantedSample> wanted;
     for (const StudyValue& value : values) wanted.push_back({settings_with(chosen, m, value), starts, seed});
@@ -202,8 +201,8 @@ std::vector<DesignMargin> design_margins(const DesignProblem& problem, const Des
   return margins;
 }
 
-std::vector<std::string> design_limits_reached(const DesignProblem& problem, const DesignStanding& standing,
-                                               const DesignCandidate& chosen) {
+std::vector<std::string> design_limits_reached(const DesignStanding& standing, const DesignCandidate& chosen) {
+  const DesignProblem& problem = standing.problem();
   // Limits and ends of ranges count as reached within these parts.
   constexpr double close = 0.05, at_end = 0.01;
   std::vector<std::string> words;

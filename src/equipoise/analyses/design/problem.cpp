@@ -13,7 +13,7 @@
 #include "equipoise/analyses/design/settings.hpp"
 #include "equipoise/analyses/design/variable_reader.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/drives/spin_up_shape.hpp"

@@ -18,15 +18,6 @@ constexpr std::size_t most_idle = 5000;
 
 }  // namespace
 
-Race::Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles,
-           std::uint64_t budget, std::uint64_t seed, std::function<void(const DesignCandidate*)> told)
-    : problem_(problem),
-      standing_(standing),
-      ensembles_(ensembles),
-      budget_(budget),
-      seed_(seed),
-      told_(std::move(told)) {}
-
 std::size_t Race::enter(const SearchPoint& point) {
   DesignCandidate candidate;
   candidate.settings = problem_.settings_at(point);

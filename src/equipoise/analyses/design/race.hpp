@@ -1,10 +1,12 @@
-// The search's judge: every candidate gets a first look, those that might win get more starts.
+// The search's judge: every candidate gets a first look, those that might win get more starts. Then how far each number
+// of the chosen candidate may change, all others fixed.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "equipoise/analyses/design/ensembles.hpp"
@@ -18,8 +20,14 @@ namespace equipoise {
 class Race {
  public:
   /// `budget`: trajectories after which the search is over.
-  Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget,
-       std::uint64_t seed, std::function<void(const DesignCandidate*)> told);
+  Race(const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget, std::uint64_t seed,
+       std::function<void(const DesignCandidate*)> told)
+      : problem_(standing.problem()),
+        standing_(standing),
+        ensembles_(ensembles),
+        budget_(budget),
+        seed_(seed),
+        told_(std::move(told)) {}
 
   /// As a Judge, who judges the study itself before all else: throws SearchOver when the budget is spent, when nothing
   /// new is proposed, or when stopped.
@@ -49,5 +57,15 @@ class Race {
   std::uint64_t looked_ = 0, raised_ = 0;  // trajectories
   std::size_t idle_ = 0;                   // consecutive points without anything new
 };
+
+/// Changes every number of the candidate to either side by parts of its range, or to its other choices, on the held-out
+/// starts; for a spin-up each point's speed and time. By effect, the largest first. Throws SearchOver if stopped.
+std::vector<DesignMargin> design_margins(const DesignStanding& standing, DesignEnsembles& ensembles,
+                                         const DesignCandidate& chosen, std::uint64_t starts, std::uint64_t seed);
+/// Number of ensembles that this takes.
+std::size_t margin_points(const DesignProblem& problem);
+
+/// In words: limits that are just met or missed, and variables at an end of their range.
+std::vector<std::string> design_limits_reached(const DesignStanding& standing, const DesignCandidate& chosen);
 
 }  // namespace equipoise

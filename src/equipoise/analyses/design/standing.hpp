@@ -17,6 +17,8 @@ class DesignStanding {
  public:
   explicit DesignStanding(const DesignProblem& problem) : problem_(problem) {}
 
+  const DesignProblem& problem() const { return problem_; }
+
   /// Sum of the amounts by which limits are missed, relative to the limits; 0: none is.
   double violation(const DesignSample& sample, Side side) const;
   double violation(const DesignLimit& limit, const DesignSample& sample, Side side) const;

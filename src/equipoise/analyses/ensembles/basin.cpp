@@ -12,16 +12,11 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
-#include "equipoise/analyses/ensembles/open_starts.hpp"
-#include "equipoise/analyses/ensembles/sampling_choice.hpp"
-#include "equipoise/analyses/ensembles/start_arrays.hpp"
-#include "equipoise/analyses/ensembles/stored_starts.hpp"
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/analyses/ensembles/without_balls.hpp"
-#include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"

@@ -1,7 +1,13 @@
-// Computes cells from their studies and their neighbours' attractors; takes them in, keeps and reports them.
+// Computes cells from their studies and their neighbours' attractors; takes them in, keeps and reports them; reads and
+// merges files of them.
 #include "equipoise/analyses/sweeps/sweep.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,19 +15,124 @@
 #include <fmt/format.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/sweeps/attractor_labels.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/running/run_info.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
 #include "equipoise/results/cell_files/sweep_file.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/types/warm_start_levels.hpp"
 #include "equipoise/simulation/kernels/long_call.hpp"
 
 namespace equipoise {
+
+namespace {
+
+// Largest difference between two motions that count as the same at neighbouring parameters.
+constexpr double farthest = 1.0 / 3.0;
+
+double relative(double a, double b) {
+  const double size = std::max(std::fabs(a), std::fabs(b));
+  return size > 0.0 ? std::fabs(a - b) / size : 0.0;
+}
+
+// Balls may have changed places.
+double drift_difference(std::vector<double> a, std::vector<double> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  double difference = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    difference = std::max(difference, relative(a[i], b[i]));
+  return difference;
+}
+
+double distance(const SweepOutcome& a, const SweepOutcome& b) {
+  if (a.kind != b.kind || without_number(a.name) != without_number(b.name))
+    return std::numeric_limits<double>::infinity();
+  if (!a.r_max || !b.r_max) return 0.0;  // matched by name alone
+  return std::max({relative(*a.r_mean, *b.r_mean), relative(*a.r_max, *b.r_max), drift_difference(a.drift, b.drift)});
+}
+
+class Labels {
+ public:
+  Labels(const std::vector<SweepAxis>& axes, SweepCells& cells) : axes_(axes), cells_(cells) {}
+
+  void label(std::size_t index) {
+    SweepCell& cell = *cells_[index];
+    std::vector<SweepOutcome*> open;
+    std::set<int> used;
+    for (SweepOutcome& outcome : cell.outcomes)
+      if (outcome.own_id < first_free_id)
+        names_.try_emplace(outcome.id = outcome.own_id, outcome.name);
+      else
+        open.push_back(&outcome);
+    match(open, neighbours(index), used);
+    for (SweepOutcome* outcome : open) outcome->id = next(outcome->name);
+    for (SweepOutcome& outcome : cell.outcomes) outcome.name = names_.at(outcome.id);
+  }
+
+ private:
+  std::vector<const SweepCell*> neighbours(std::size_t index) const {
+    std::vector<const SweepCell*> found;
+    const std::vector<std::size_t> place = place_on(axes_, index);
+    std::size_t stride = 1;
+    for (std::size_t a = axes_.size(); a-- > 0; stride *= axes_[a].size())
+      if (place[a] > 0 && cells_[index - stride]) found.push_back(&*cells_[index - stride]);
+    return found;
+  }
+
+  // The nearest pairs first; whatever finds a partner leaves `open`.
+  void match(std::vector<SweepOutcome*>& open, const std::vector<const SweepCell*>& neighbours, std::set<int>& used) {
+    for (;;) {
+      double least = farthest;
+      auto chosen = open.end();
+      int id = 0;
+      for (auto o = open.begin(); o != open.end(); ++o)
+        for (const SweepCell* cell : neighbours)
+          for (const SweepOutcome& other : cell->outcomes) {
+            if (other.own_id < first_free_id || used.count(other.id)) continue;
+            const double off = distance(**o, other);
+            if (off >= least) continue;
+            least = off;
+            chosen = o;
+            id = other.id;
+          }
+      if (chosen == open.end()) return;
+      (*chosen)->id = id;
+      used.insert(id);
+      open.erase(chosen);
+    }
+  }
+
+  int next(const std::string& name) {
+    const int id = std::max(first_free_id, names_.empty() ? 0 : names_.rbegin()->first + 1);
+    const std::string plain = without_number(name);
+    std::string unique = plain;
+    const auto taken = [&](const std::string& text) {
+      return std::any_of(names_.begin(), names_.end(), [&](const auto& entry) { return entry.second == text; });
+    };
+    for (int number = 2; taken(unique); ++number) unique = fmt::format("{} ({})", plain, number);
+    names_[id] = unique;
+    return id;
+  }
+
+  const std::vector<SweepAxis>& axes_;
+  SweepCells& cells_;
+  std::map<int, std::string> names_;  // by identifier
+};
+
+}  // namespace
+
+void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells) {
+  Labels labels(axes, cells);
+  for (std::size_t index = 0; index < cells.size(); ++index)
+    if (cells[index]) labels.label(index);
+}
 
 namespace {
 
@@ -171,6 +282,64 @@ SweepResult sweep(const SweepPlan& plan, const SweepOptions& options) {
     throw InputError("sweep", "shard", fmt::format("{} of {}", options.shard, options.shards),
                      "must be less than the number of shards");
   return long_call(options, [&](const SweepOptions& o) { return SweepRun(plan, o).run(); });
+}
+
+namespace {
+
+constexpr char no_sweep[] = "does not say which sweep it is of";
+
+// The inverse of SweepPlan::identity(), as far as results need it.
+SweepResult asked_for(const std::string& identity, const std::string& path) {
+  SweepResult result;
+  const io::IdentityLines lines(identity);
+  const std::vector<std::string> over = lines.over();
+  const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
+  if (over.empty() || axes == 0) throw InputError(path, "", "", no_sweep);
+  result.half_width = number_in(lines.value("sweep.half_width"));
+  result.transients = lines.value("transients") != "none";
+  result.study = parse_kept_study(lines.study, path);
+  result.axes = sweep_axes(over, axes < over.size(), path);
+  std::size_t cells = 1;
+  for (const SweepAxis& axis : result.axes) cells *= axis.size();
+  if (cells != lines.cells()) throw InputError(path, "", "", no_sweep);
+  result.identity = identity;
+  result.cells.resize(cells);
+  result.cpu_target = cpu_target();
+  return result;
+}
+
+}  // namespace
+
+SweepResult stored_sweep(const std::string& path, const RunOptions& options) {
+  const StoredSweep stored = read_sweep(path);
+  give_notice(options, stored.loss);
+  SweepResult result = asked_for(stored.identity, path);
+  for (const auto& [k, cell] : stored.cells) result.cells[k] = cell;
+  for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
+  label_attractors(result.axes, result.cells);
+  return result;
+}
+
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output, const RunOptions& options) {
+  if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
+  const std::string identity = read_sweep(files.front()).identity;
+  SweepResult result = asked_for(identity, files.front());
+  const auto into = io::open_sweep_file(output, identity, result.cells);
+  give_notice(options, into->loss());
+  for (const std::string& path : files) {
+    const StoredSweep part = read_sweep(path);
+    give_notice(options, part.loss);
+    if (const std::string how = io::difference(part.identity, identity); !how.empty())
+      throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
+    for (const auto& [k, cell] : part.cells) {
+      if (result.cells[k]) continue;
+      into->append(k, io::bytes_of(*cell));
+      result.cells[k] = cell;
+    }
+  }
+  label_attractors(result.axes, result.cells);
+  io::finish_sweep_file(*into, result);
+  return result;
 }
 
 }  // namespace equipoise

@@ -27,6 +27,11 @@ Survey sweep_survey(const SweepPlan& plan);
 /// be decided and for unusable output files, RunError if the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
 
+/// Motions with a fixed identifier keep it in every cell. The others are matched with those of the preceding neighbours
+/// along every axis: the most similar in vibration and drift of the same kind and kind of name, if they differ by at
+/// most a third. An unmatched motion gets the next free identifier, and a number if its name is taken.
+void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells);
+
 /// Reads a sweep's file, or its unfinished part (.part), as a result. A notice says what is damaged in a part. Throws
 /// InputError for other or damaged files.
 SweepResult stored_sweep(const std::string& path, const RunOptions& options = {});

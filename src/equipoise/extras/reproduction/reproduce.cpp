@@ -9,8 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/analyses/ensembles/stored_starts.hpp"
+#include "equipoise/analyses/ensembles/stored_ensemble.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"

@@ -95,7 +95,7 @@ struct BasinSlice : RunInfo {
   bool complete = true;
   bool read_whole = false;                        ///< nothing was computed: the output held everything
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
-  std::uint64_t pixels_left_out = 0;              ///< of shares and figures: analyses/basin_slices/invariant_pixels.hpp
+  std::uint64_t pixels_left_out = 0;              ///< of shares and figures: analyses/basin_slices/start_pixels.hpp
   /// Every pixel starts some alike balls in one place, which pixels_left_out does not count.
   bool balls_together = false;
   std::uint64_t pixels_kept = 0;  ///< computed pixels that earlier runs left in the output
