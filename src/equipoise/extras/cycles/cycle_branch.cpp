@@ -26,50 +26,89 @@ constexpr double parameter_step = 1e-6;
 
 class BranchOfCycles {
  public:
-  BranchOfCycles(const CycleSystems& systems, const CycleStart& start, const model::System& first)
+  BranchOfCycles(const CycleSystems& systems, const VectorXd& at, const VectorXd& direction, const CycleShape& shape,
+                 const model::System& first)
       : systems_(systems),
-        start_(start),
-        shape_(at_rest(start)),
+        at_(at),
+        direction_(direction),
+        shape_(shape),
         shooting_(first, shape_, branch_tolerance),
         follower_([this](const VectorXd& x) { return equations(x); }, [this](const VectorXd& x) { return slopes(x); },
                   branch_limits) {}
 
-  CycleBranch follow(const model::System& first, const StopFlag* stop) {
+  // From a Hopf point.
+  CycleBranch born_at_rest(const CycleStart& start, const model::System& first, const StopFlag* stop) {
     CycleBranch branch;
-    auto here = beginning(first);
-    if (!here) return branch;
-    double step = first_length_;
-    auto last = place(here->point);  // at rest
+    const auto here = beginning(start, first);
+    if (here) follow(*here, first_length_, place(here->point), branch, stop);
+    return branch;
+  }
+
+  // From a cycle.
+  CycleBranch from_cycle(const model::System& first, const StopFlag* stop) {
+    constexpr double first_step = 0.005;
+    CycleBranch branch;
+    shooting_.stay_near(first, shape_);
+    CurveFollower::Step here{VectorXd::Zero(1 + shooting_.unknowns()), {}, 0.0, {}, {}};
+    here.point.tail(shooting_.unknowns()) = shooting_.packed(shape_);
+    const VectorXd along = VectorXd::Unit(here.point.size(), 0);
+    const auto refined = follower_.at_plane(here.point, along);
+    if (!refined) return branch;
+    here.point = *refined;
+    const auto tangent = follower_.tangent(here.point, along);
+    const auto begin = place(here.point);
+    if (!tangent || !begin) return branch;
+    here.tangent = *tangent;
+    branch.places.push_back(*begin);
+    from_cycle_ = true;
+    follow(here, first_step, begin, branch, stop);
+    return branch;
+  }
+
+ private:
+  void follow(CurveFollower::Step here, double step, std::optional<CyclePlace> last, CycleBranch& branch,
+              const StopFlag* stop) {
     while (branch.places.size() < most_of_branch && !is_set(stop)) {
-      const auto next = follower_.next(*here, step);
-      if (!next) return branch;
+      const auto next = follower_.next(here, step);
+      if (!next) return;
       const auto found = place(next->point);
-      if (!found || found->at.minCoeff() < 0.0 || found->at.maxCoeff() > 1.0) return branch;
-      if (found->multipliers.array().abs().maxCoeff() > largest_cycle_multiplier) return branch;
+      if (!found) return;
+      if (found->at.minCoeff() < 0.0 || found->at.maxCoeff() > 1.0) return end_on_border(here, *next, *last, branch);
+      if (found->multipliers.array().abs().maxCoeff() > largest_cycle_multiplier) return;
       const auto system = systems_(found->at);
-      if (found->shape.period > longest_period(*system, found->shape, shape_.period)) return branch;
+      if (found->shape.period > longest_period(*system, found->shape, shape_.period)) return;
       const bool shrinks = last && found->swing < last->swing && found->swing < first_swing;
-      if (shrinks) return branch;
+      if (shrinks) return;
       if (!branch.places.empty() && unstable_multipliers(found->multipliers) != unstable_multipliers(last->multipliers))
-        add_crossing(*here, *next, *last, *found, branch);
+        add_crossing(here, *next, *last, *found, branch);
       branch.places.push_back(*found);
       shooting_.stay_near(*system, found->shape);
       last = found;
       here = *next;
     }
-    return branch;
   }
 
- private:
-  static CycleShape at_rest(const CycleStart& start) {
-    const double period = two_pi / start.frequency;
-    return {period, std::vector<VectorXd>(static_cast<std::size_t>(CycleShooting::nodes_for(period)), start.state)};
+  void end_on_border(const CurveFollower::Step& a, const CurveFollower::Step& b, const CyclePlace& before,
+                     CycleBranch& branch) {
+    if (!from_cycle_) return;
+    branch.left = true;
+    const double from = at_[0] + direction_[0] * a.point[0], to = at_[0] + direction_[0] * b.point[0];
+    const double border = to > 1.0 ? 1.0 : 0.0;
+    if (from == border) return;
+    const auto at = follower_.at_plane(a.point + (border - from) / (to - from) * (b.point - a.point),
+                                       VectorXd::Unit(a.point.size(), 0));
+    const auto found = at ? place(*at) : std::nullopt;
+    if (!found) return;
+    if (unstable_multipliers(found->multipliers) != unstable_multipliers(before.multipliers))
+      add_crossing(a, {*at, {}, 0.0, {}, {}}, before, *found, branch);
+    branch.places.push_back(*found);
   }
-  VectorXd parameters(const VectorXd& x) const { return start_.at + x[0] * start_.direction; }
+
+  VectorXd parameters(const VectorXd& x) const { return at_ + x[0] * direction_; }
 
   // At rest, with the tangent that leads to small cycles.
-  std::optional<CurveFollower::Step> beginning(const model::System& first) {
-    const auto q = eigenvector_near(model::jacobian(first, start_.state), std::complex<double>(0.0, start_.frequency));
+  std::optional<CurveFollower::Step> beginning(const CycleStart& start, const model::System& first) {
+    const auto q = eigenvector_near(model::jacobian(first, start.state), std::complex<double>(0.0, start.frequency));
     if (!q) return std::nullopt;
     double swing = 0.0;
     for (int i = 0; i < first.balls(); ++i) swing = std::max(swing, std::abs((*q)[model::index::phi(i)]));
@@ -107,8 +146,7 @@ class BranchOfCycles {
   std::optional<MatrixXd> slopes(const VectorXd& x) {
     if (!look_at(x)) return std::nullopt;
     const VectorXd at = parameters(x);
-    const auto below = systems_(at - parameter_step * start_.direction),
-               above = systems_(at + parameter_step * start_.direction);
+    const auto below = systems_(at - parameter_step * direction_), above = systems_(at + parameter_step * direction_);
     if (!below || !above) return std::nullopt;
     const auto change = shooting_.by_parameter(*below, *above, 2.0 * parameter_step, shape(x), *arcs_, nullptr);
     if (!change) return std::nullopt;
@@ -146,18 +184,23 @@ class BranchOfCycles {
     CycleCrossing crossing{CurveKind::cycle_torus, near, multiplier.real(), shape_.period};
     if (multiplier.imag() == 0.0) {
       crossing.change = multiplier.real() < 0.0 ? CurveKind::cycle_flip : CurveKind::cycle_fold;
-      const auto along = [&](const CyclePlace& p) { return (p.at - near.at).dot(start_.direction); };
-      if (crossing.change == CurveKind::cycle_fold && !(along(before) * along(after) > 0.0)) return;
+      const auto along = [&](const CyclePlace& p) { return (p.at - near.at).dot(direction_); };
+      if (crossing.change == CurveKind::cycle_fold && !(along(before) * along(after) > 0.0)) {
+        if (!from_cycle_) return;
+        crossing.change = CurveKind::pitchfork;
+      }
     }
     branch.crossings.push_back(std::move(crossing));
+    branch.behind.push_back(branch.places.size());
   }
 
   const CycleSystems& systems_;
-  const CycleStart& start_;
+  const VectorXd at_, direction_;
   CycleShape shape_;
   CycleShooting shooting_;
   CurveFollower follower_;
   double first_length_ = 0.0;
+  bool from_cycle_ = false;  // not born at rest: symmetry breaks count, and the border is a place
   std::optional<CycleArcs> arcs_;
   VectorXd arcs_at_;
 };
@@ -170,7 +213,16 @@ int unstable_multipliers(const VectorXcd& multipliers) {
 
 CycleBranch cycle_branch(const CycleSystems& systems, const CycleStart& start, const StopFlag* stop) {
   const auto first = systems(start.at);
-  return first ? BranchOfCycles(systems, start, *first).follow(*first, stop) : CycleBranch();
+  if (!first) return {};
+  const double period = two_pi / start.frequency;
+  const CycleShape at_rest{period, std::vector<VectorXd>(CycleShooting::nodes_for(period), start.state)};
+  return BranchOfCycles(systems, start.at, start.direction, at_rest, *first).born_at_rest(start, *first, stop);
+}
+
+CycleBranch cycle_branch(const CycleSystems& systems, const VectorXd& at, const VectorXd& direction,
+                         const CycleShape& cycle, const StopFlag* stop) {
+  const auto first = systems(at);
+  return first ? BranchOfCycles(systems, at, direction, cycle, *first).from_cycle(*first, stop) : CycleBranch();
 }
 
 }  // namespace equipoise

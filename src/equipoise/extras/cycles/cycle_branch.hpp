@@ -1,4 +1,4 @@
-// Cycles that are born at a Hopf point, followed along a line of parameters, and what happens to them on the way.
+// Cycles, such as those born at a Hopf point, followed along a line of parameters, and what happens to them on the way.
 // This room: cycles born at a Hopf point: their equations, test functions, branches along a line of parameters.
 #pragma once
 
@@ -40,7 +40,9 @@ struct CycleCrossing {
 
 struct CycleBranch {
   std::vector<CyclePlace> places;
-  std::vector<CycleCrossing> crossings;
+  std::vector<CycleCrossing> crossings;  ///< each before the place behind_which it was met
+  std::vector<std::size_t> behind;       ///< of every crossing: the number of places before it
+  bool left = false;                     ///< ends where it leaves the square: its last place is on the border
 };
 
 /// With a larger one the others are lost in errors of integration.
@@ -49,6 +51,11 @@ inline constexpr double largest_cycle_multiplier = 1e6;
 /// From small cycles on, until the branch leaves the square, its cycles shrink again, or their period passes
 /// longest_period(). Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
 CycleBranch cycle_branch(const CycleSystems& systems, const CycleStart& start, const StopFlag* stop);
+
+/// From this cycle at `at` on, its first place, in a direction of length 1, until the branch leaves the square (a place
+/// on the border is then its last) or its period passes longest_period(). Folds are passed.
+CycleBranch cycle_branch(const CycleSystems& systems, const Eigen::VectorXd& at, const Eigen::VectorXd& direction,
+                         const CycleShape& cycle, const StopFlag* stop);
 
 /// Multipliers outside the unit circle.
 int unstable_multipliers(const Eigen::VectorXcd& multipliers);

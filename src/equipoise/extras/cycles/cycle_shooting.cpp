@@ -45,6 +45,7 @@ CycleShooting::CycleShooting(const model::System& like, const CycleShape& first,
     : size_(like.dimension()),
       count_(static_cast<Index>(first.nodes.size())),
       unit_(like.scale()),
+      turned_(first.turned.size() > 0 ? first.turned : VectorXd(VectorXd::Zero(size_))),
       tolerance_(tolerance),
       node_weight_(natural_cycle * std::sqrt(static_cast<double>(first.nodes.size()))),
       period_weight_(natural_cycle * first.period) {}
@@ -58,7 +59,7 @@ VectorXd CycleShooting::packed(const CycleShape& shape) const {
 }
 
 CycleShape CycleShooting::shape(const Eigen::Ref<const VectorXd>& packed) const {
-  CycleShape result{packed[0] * period_weight_, {}};
+  CycleShape result{packed[0] * period_weight_, {}, turned_};
   for (Index k = 0; k < count_; ++k)
     result.nodes.emplace_back(node_weight_ * packed.segment(1 + size_ * k, size_).cwiseProduct(unit_));
   return result;
@@ -92,6 +93,7 @@ VectorXd CycleShooting::equations(const CycleShape& shape, const CycleArcs& arcs
   for (Index k = 0; k < count_; ++k) {
     const auto here = static_cast<std::size_t>(k), next = static_cast<std::size_t>((k + 1) % count_);
     value.segment(size_ * k, size_) = (arcs.flights[here].end - shape.nodes[next]).cwiseQuotient(unit_);
+    if (next == 0) value.segment(size_ * k, size_) -= turned_.cwiseQuotient(unit_);
     phase += phase_[here].dot((shape.nodes[here] - reference_.nodes[here]).cwiseQuotient(unit_));
   }
   value[size_ * count_] = phase;

@@ -14,10 +14,11 @@
 
 namespace equipoise {
 
-/// A periodic motion in the rotating frame on which no angle makes whole turns.
+/// A periodic motion in the rotating frame.
 struct CycleShape {
   double period = 0.0;
-  std::vector<Eigen::VectorXd> nodes;  ///< states at equally spaced times of one period
+  std::vector<Eigen::VectorXd> nodes;  ///< states at equally spaced times of one period, angles unwrapped
+  Eigen::VectorXd turned{};            ///< whole turns of its angles in a period, in radians; empty: none
 };
 
 /// The longest period of cycles that are followed, from the one at birth: close to a homoclinic connection of a state
@@ -101,7 +102,7 @@ class CycleShooting {
                                       const Eigen::VectorXd& along) const;
 
   Eigen::Index size_, count_;
-  Eigen::VectorXd unit_;
+  Eigen::VectorXd unit_, turned_;
   double tolerance_, node_weight_, period_weight_;
   CycleShape reference_;
   std::vector<Eigen::VectorXd> phase_;  // by node: rates of the reference, in units
