@@ -6,6 +6,9 @@
     answer.shares["balanced"], answer.errors["balanced"]
 
 Quantities are dimensionless (length R, time 1/omega_c, mass M) unless they are given, or said to be, in units.
+
+In the examples, ``study`` is this one with 400 starts, ``oiled`` has ``balancer.drag`` 0.25, so that every start balances, and
+``machine`` is ``eq.new("washing-machine")``.
 """
 
 from __future__ import annotations
@@ -23,7 +26,7 @@ from .ensembles import BasinResult, ShareBy, basin
 from .errors import Interrupted, RunError, StudyError, UndecidedWarning
 from .explanations import Explanation, StudyCheck, check, explain, machines, new
 from .files import CertificateCheck, Inspection, check_certificates, inspect, merge
-from .maps import MapResult, map
+from .maps import MapResult, map as map
 from .matching import Matching, match, match_along
 from .model import Mapper, Model
 from .motions import AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
@@ -53,7 +56,18 @@ __all__ = [
 
 
 def cpu_targets() -> list[str]:
-    """Instruction sets that this machine and this build have, best first."""
+    """Instruction sets that this machine and this build have, best first.
+
+    Returns
+    -------
+    list[str]
+        Values of `cpu` in other calls, such as "AVX2" or "scalar".
+
+    Examples
+    --------
+    >>> eq.cpu_targets()[-1]
+    'scalar'
+    """
     return list(_core.cpu_targets())
 
 

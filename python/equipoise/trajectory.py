@@ -53,6 +53,11 @@ class Trajectory:
     status : str
         "done", "diverged", "failed" or "stopped"; if not "done", later times are missing.
     study : Study
+
+    Examples
+    --------
+    >>> eq.simulate(study, 10.0).phi.shape
+    (101, 2)
     """
 
     t: Array
@@ -183,10 +188,16 @@ def simulate(
     progress, within
         As for :func:`basin`; of a run whose time was over the rows until then come back.
 
+    Returns
+    -------
+    Trajectory
+
     Raises
     ------
     StudyError
         For times out of order, and studies that are none.
+    Interrupted
+        After Ctrl-C; its ``.result`` has the rows until then.
 
     Notes
     -----
@@ -194,6 +205,12 @@ def simulate(
     ``numerics.tolerance`` (default 1e-12; of :func:`basin`, :func:`map` and :class:`Mapper` 1e-6). Next to a border of basins
     the tolerance decides: one start in a hundred or so ends elsewhere here than there. With one
     ``numerics.tolerance`` for both they agree more often.
+
+    Examples
+    --------
+    >>> run = eq.simulate(study, np.linspace(0.0, 10.0, 5))
+    >>> run.t
+    array([ 0. ,  2.5,  5. ,  7.5, 10. ])
     """
     times, until = _output_times(checked_study(study), t)
     if times is not None and every is not None:

@@ -69,6 +69,11 @@ class UncertaintyExponent:
     smallest_scale : float
         Scale at which the power gives `flips_high`, in rad. Below it, the tolerance may decide as many outcomes as the
         distance does; nan if no pairs differ.
+
+    Examples
+    --------
+    >>> eq.uncertainty_exponent(oiled, [1e-2, 1e-1], pairs=100).share.shape
+    (2,)
     """
 
     study: Study
@@ -297,7 +302,7 @@ def uncertainty_exponent(
 
     Examples
     --------
-    >>> found = eq.uncertainty_exponent(study, [1e-3, 1e-2, 1e-1], pairs=2000)
+    >>> found = eq.uncertainty_exponent(study, [1e-3, 1e-2, 1e-1], pairs=1000)
     >>> 0.3 < found.exponent < 0.6
     True
     """

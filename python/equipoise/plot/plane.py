@@ -32,6 +32,19 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     shade : bool
         Whether decision times darken the colours.
     ax : matplotlib.axes.Axes, optional
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> ax = eq.plot.map(eq.map(study, size=24))
     """
     parts.need("map", result, "a MapResult, that of equipoise.map()", ("outcome", "time", "x_edges", "y_edges"))
     outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
@@ -103,6 +116,19 @@ def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as
     result : StabilityResult
         Of `equipoise.stability`.
     ax : matplotlib.axes.Axes, optional
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> ax = eq.plot.stability(eq.stability(study, size=20, x_range=(0.5, 6.0), y_range=(0.01, 0.25)))
     """
     from matplotlib import colors
     from matplotlib.lines import Line2D
