@@ -171,7 +171,10 @@ _UNSTABLE = (0, (5, 3))
 _HEIGHTS: dict[str, str] = {"r_min": "smallest", "r_mean": "mean", "r_max": "largest"}
 
 
-def branches(result: BranchesResult, y: Literal["r_max", "r_mean", "r_min", "range"] = "r_max", events: bool = True, ax: Optional[Axes] = None) -> Axes:
+def branches(
+    result: BranchesResult, y: Literal["r_max", "r_mean", "r_min", "range"] = "r_max", events: bool = True,
+    ax: Optional[Axes] = None,
+) -> Axes:
     """Attractors along a parameter: solid where they attract, dashed where they are unstable, and what happens to them.
 
     Parameters
