@@ -6,6 +6,9 @@
     answer.shares["balanced"], answer.errors["balanced"]
 
 Quantities are dimensionless (length R, time 1/omega_c, mass M) unless they are given, or said to be, in units.
+
+In the examples, ``study`` is this one with 400 starts, ``oiled`` has ``balancer.drag`` 0.25, so that every start balances, and
+``machine`` is ``eq.new("washing-machine")``.
 """
 
 from __future__ import annotations
@@ -23,7 +26,7 @@ from .ensembles import BasinResult, ShareBy, basin
 from .errors import Interrupted, RunError, StudyError, UndecidedWarning
 from .explanations import Explanation, StudyCheck, check, explain, machines, new
 from .files import CertificateCheck, Inspection, check_certificates, inspect, merge
-from .maps import MapResult, map
+from .maps import MapResult, map as map
 from .matching import Matching, match, match_along
 from .model import Mapper, Model
 from .motions import AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
@@ -34,6 +37,7 @@ from .state import State
 from .study import Study, paper_studies, paper_study
 from .sweeps import SweepResult, sweep
 from .trajectory import Trajectories, Trajectory, simulate
+from .uncertainty import UncertaintyExponent, uncertainty_exponent
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -44,15 +48,26 @@ __all__ = [
     "Attractor", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
     "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
     "Interrupted", "MapResult", "Mapper", "Matching", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
-    "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectories", "Trajectory", "UndecidedWarning", "attractors", "basin",
+    "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectories", "Trajectory", "UncertaintyExponent", "UndecidedWarning", "attractors", "basin",
     "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
     "machines", "match", "match_along", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
-    "reproducible", "simulate", "stability", "sweep",
+    "reproducible", "simulate", "stability", "sweep", "uncertainty_exponent",
 ]
 
 
 def cpu_targets() -> list[str]:
-    """Instruction sets that this machine and this build have, best first."""
+    """Instruction sets that this machine and this build have, best first.
+
+    Returns
+    -------
+    list[str]
+        Values of `cpu` in other calls, such as "AVX2" or "scalar".
+
+    Examples
+    --------
+    >>> eq.cpu_targets()[-1]
+    'scalar'
+    """
     return list(_core.cpu_targets())
 
 

@@ -76,6 +76,11 @@ class Attractor:
         Lyapunov exponents, falling.
     data : dict
         All that is known of it, as ``--json`` has it.
+
+    Examples
+    --------
+    >>> eq.Mapper(oiled).attractors[1]
+    <Attractor 1 balanced: equilibrium, r = 0 to 0>
     """
 
     def __init__(self, data: Mapping[str, Any], study: Study) -> None:
@@ -120,10 +125,20 @@ class Attractor:
         points : int
             Steps of equal time; the path has one point more.
 
+        Returns
+        -------
+        Path
+            Times, rotor angle, centre and ball angles: arrays of ``points + 1`` rows.
+
         Raises
         ------
         ValueError
             If no state on the motion is known: :func:`attractors` has one of each.
+
+        Examples
+        --------
+        >>> eq.Mapper(oiled).attractors[1].path(10.0, points=4).t
+        array([ 0. ,  2.5,  5. ,  7.5, 10. ])
         """
         if self.state is None:
             raise ValueError(f"{self.name}: this answer has no state on the motion; attractors(study) has one")

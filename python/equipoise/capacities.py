@@ -36,11 +36,18 @@ class CapacityResult(Result, WithPage):
     Attributes
     ----------
     of, unit : str
-    value, low, high : ndarray
+        The parameter, and its unit; "" if it is dimensionless.
+    value, low, high : ndarray (cells,)
         The boundary in each cell with its 95 % ends, in `unit`; nan where the share is as large (``always``) or smaller
         (``never``) all over the range.
-    always, never : ndarray, bool
+    always, never : ndarray (cells,), bool
     cells : list[dict]
+        As the command line's ``--json`` has them.
+
+    Examples
+    --------
+    >>> eq.capacity(oiled, starts=100, precision=0.1).unit
+    ''
     """
 
     of: str = member("of")
@@ -84,6 +91,7 @@ def capacity(
 
     Parameters
     ----------
+    study : Study
     of : str, optional
         Any key of the study; default the unbalance: in g mm for a study in physical units, otherwise "rotor.eccentricity".
     between : (low, high) or str, optional
@@ -93,13 +101,30 @@ def capacity(
     by : str
         The requirement: "balanced", "limits" (meet all of the study's [limits]), or one of them by its name.
     precision : float
-        Precision of the boundary, as a part of the range.
+        Precision of the boundary, as a part of the range, 0.0001 to 0.1.
     over, zip
         Cells, as for :func:`sweep`.
     output : path, optional
         NetCDF file that is written trial by trial; the same call resumes it.
     starts, seed, threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    CapacityResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> found = eq.capacity(oiled, "rotor.eccentricity", starts=100, precision=0.1)
+    >>> bool(found.low[0] <= found.value[0] <= found.high[0])
+    True
     """
     asked = with_starts(study, starts, seed)
     if not (of is None or isinstance(of, str)):

@@ -44,6 +44,11 @@ class Curve:
         Unstable eigenvalues, of cycles multipliers, in addition to those that cross: 0 where the motion itself loses stability.
     swing : ndarray
         Half of what the ball of a cycle covers that swings most, in rad; nan on other curves.
+
+    Examples
+    --------
+    >>> eq.chart(study, size=12, boxes=0, x_range=(0.5, 6.0), y_range=(0.01, 0.25)).curves[0].kind
+    'hopf'
     """
 
     kind: str
@@ -64,6 +69,11 @@ class SpecialPoint:
     `kind` is "generalised-hopf", "double-hopf", "zero-hopf", "bogdanov-takens", "cusp" or "fold-hopf", of cycles
     "cycle-cusp", "resonance-1-1" to "resonance-1-4", "fold-flip", "fold-torus", "flip-torus", "double-torus" or
     "generalised-flip"; `curve` the number of its curve; `x`, `y` its place; `frequency` that of the curve's pair or cycle; `second` that of a double Hopf point's other pair.
+
+    Examples
+    --------
+    >>> eq.chart(study, size=12, boxes=0, x_range=(0.5, 6.0), y_range=(0.01, 0.25)).specials[0].kind
+    'generalised-hopf'
     """
 
     kind: str
@@ -94,6 +104,11 @@ class ChartResult(Result):
         -1 not decided, 0 no balanced state, 1 stable, 2 unstable all over the box.
     proved : dict[str, float]
         Part of the plane by what is proved: "stable", "unstable", "none", "open"; empty if nothing was tried.
+
+    Examples
+    --------
+    >>> eq.chart(study, size=12, boxes=0, x_range=(0.5, 6.0), y_range=(0.01, 0.25))
+    <ChartResult of table-2-omega-2.4: 4 curves, 2 special points>
     """
 
     def __init__(self, core: Any, study: Study) -> None:
@@ -138,6 +153,7 @@ def chart(
 
     Parameters
     ----------
+    study : Study
     x, y : str
         Keys of rotor, balancer or speed that take a number.
     size : int or (int, int)
@@ -154,6 +170,23 @@ def chart(
         NetCDF file. An existing one has to hold the same chart of the same study.
     threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    ChartResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> found = eq.chart(study, size=12, boxes=0, x_range=(0.5, 6.0), y_range=(0.01, 0.25))
+    >>> found.regions[0]["balance"]
+    'stable'
     """
     checked_study(study)
     axes = plane_axes((x, y), size, (x_range, y_range), "speed.final")

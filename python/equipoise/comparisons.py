@@ -23,7 +23,22 @@ Side = Union[Study, str, "os.PathLike[str]"]
 
 @dataclass(frozen=True)
 class Difference:
-    """How much more often an outcome happens in the second ensemble: fractions, with a 95 % interval."""
+    """How much more often an outcome happens in the second ensemble.
+
+    Attributes
+    ----------
+    name : str
+        Of the outcome.
+    difference, low, high : float
+        Share in the second ensemble less that in the first, with its 95 % interval.
+    first, second : float
+        Both shares, as fractions of the starts.
+
+    Examples
+    --------
+    >>> eq.compare(study, oiled, starts=100).differences[0].name
+    'balanced'
+    """
 
     name: str
     difference: float
@@ -44,6 +59,11 @@ class Comparison(SavedAsData, Result):
         Of common starts, those that ended otherwise.
     verdict : str
         What the difference in balanced starts amounts to.
+
+    Examples
+    --------
+    >>> eq.compare(study, oiled, starts=100).differences[0].difference > 0.2
+    True
     """
 
     def __init__(self, core: Any, study: Study) -> None:
@@ -109,10 +129,21 @@ def compare(
     threads, progress, cpu, within
         As for :func:`basin`.
 
+    Returns
+    -------
+    Comparison
+
     Raises
     ------
     StudyError
         For studies whose starts cannot be compared (grids), and files without a finished ensemble.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> eq.compare(study, oiled, starts=100).verdict
+    'The second balances more often, by +... points (...).'
     """
     one, study = _side(first, "first", starts, seed)
     other, _ = _side(second, "second", starts, seed)

@@ -40,6 +40,11 @@ class DesignResult(Result, WithPage):
         By key, the largest effect first: how much each value of the chosen one may vary, changed alone.
     limited_by : list[str]
         What keeps the design from being better.
+
+    Examples
+    --------
+    >>> "balanced" in eq.design(machine, within=2.0).units
+    True
     """
 
     _lasting: tuple[str, ...] = ("data", "text", "best")
@@ -94,6 +99,7 @@ def design(
 
     Parameters
     ----------
+    study : Study
     trajectories : int, optional
         Budget, from 1000; default: ``design.trajectories``, else 2 000 000 (a proposed [design] states its own).
     seed : int, optional
@@ -105,12 +111,21 @@ def design(
     threads, progress, cpu
         As for :func:`basin`.
 
+    Returns
+    -------
+    DesignResult
+
     Raises
     ------
     StudyError
         For a [design] that asks for what cannot be chosen or judged, before any work.
     Interrupted
         After Ctrl-C; its ``.result`` rests on the search's starts alone.
+
+    Examples
+    --------
+    >>> eq.design(machine, within=2.0).partial  # minutes are needed
+    True
     """
     asked = with_starts(study, None, seed)
     if trajectories is not None:

@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 #: Codes of starts that came to no attractor.
 NO_ATTRACTOR: dict[int, str] = _core.no_attractors()
+
+#: How starts are drawn.
+Method = Literal["random", "sobol", "grid"]
 
 _most_undecided = 0.01
 
@@ -61,7 +64,20 @@ class Shares(dict[str, Any]):
 
 @dataclass(frozen=True)
 class ShareBy:
-    """A share that grows with time: `share` of the starts by the times `t`, with its 95 % interval by Wilson, `low` to `high`."""
+    """A share that grows with time: of :meth:`BasinResult.share_by`.
+
+    Attributes
+    ----------
+    t : ndarray
+        Study times, in 1/omega_c.
+    share, low, high : ndarray of the same shape
+        Fraction of the starts known by then, with its 95 % interval by Wilson.
+
+    Examples
+    --------
+    >>> bool(eq.basin(oiled).share_by(1000.0).share > 0.5)
+    True
+    """
 
     t: Array
     share: Array
@@ -107,6 +123,11 @@ class BasinResult(Result):
     starts : int
     partial : bool
         Stopped before all starts were done.
+
+    Examples
+    --------
+    >>> eq.basin(oiled).labels.shape
+    (400,)
     """
 
     starts: int = member("starts")
@@ -210,6 +231,11 @@ class BasinResult(Result):
         ------
         AttributeError
             If the starts were not kept.
+
+        Examples
+        --------
+        >>> eq.basin(oiled).share_by([10.0, 1000.0]).share.shape
+        (2,)
         """
         times = np.asarray(t, dtype=float)
         codes = [code for code, name in self.names.items() if name == outcome]
@@ -285,7 +311,7 @@ class BasinResult(Result):
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))
 
 
-def with_starts(study: Study, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
+def with_starts(study: Study, starts: Optional[int], seed: Optional[int], method: Optional[Method] = None) -> Study:
     """The study, with the starts that a call names."""
     return checked_study(study).with_starts(
         None if starts is None else whole("starts", starts, 1, MOST_STARTS),
@@ -307,7 +333,7 @@ def sensitivity_rows(given: bool | int) -> Optional[int]:
 
 def basin(
     study: Study, starts: Optional[int] = None, *, seed: Optional[int] = None, half_width: Optional[float] = None,
-    method: Optional[str] = None, transients: Optional[bool] = None, changes: bool = False,
+    method: Optional[Method] = None, transients: Optional[bool] = None, changes: bool = False,
     initial: Optional[StateLike] = None, frame: Optional[Frame] = None, sensitivity: bool | int = False,
     attractors: Optional[Mapper] = None, output: Optional[str | os.PathLike[str]] = None, keep: bool = True,
     threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
@@ -356,6 +382,10 @@ def basin(
         Seconds, or "60s", "10min", "1.5h": after this time the call returns what is known by then, and ``partial`` of it
         is True. With `output` the same call resumes from there.
 
+    Returns
+    -------
+    BasinResult
+
     Raises
     ------
     StudyError
@@ -367,6 +397,12 @@ def basin(
     -----
     UndecidedWarning
         If more than 1 % of the starts are undecided.
+
+    Examples
+    --------
+    >>> answer = eq.basin(study, starts=400)
+    >>> 0.5 < answer.shares["balanced"] < 0.7
+    True
     """
     rows = sensitivity_rows(sensitivity)
     if rows and half_width is None and initial is None:

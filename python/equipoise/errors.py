@@ -22,6 +22,13 @@ class StudyError(ValueError):
         What is allowed ("a finite number at least 0"), may be empty.
     where : str
         File and line, argument, or name of the study.
+
+    Examples
+    --------
+    >>> study.replace({"balancer.drga": 0.1})
+    Traceback (most recent call last):
+        ...
+    equipoise.errors.StudyError: balancer.drga = 0.1: unknown key; did you mean "drag"? ...
     """
 
     def __init__(
@@ -35,7 +42,13 @@ class StudyError(ValueError):
 
 
 class RunError(RuntimeError):
-    """Work that began and could not be finished for a reason outside the input: a full disk, a lost file."""
+    """Work that began and could not be finished for a reason outside the input: a full disk, a lost file.
+
+    Examples
+    --------
+    >>> issubclass(eq.RunError, RuntimeError)
+    True
+    """
 
 
 class Interrupted(KeyboardInterrupt):
@@ -45,6 +58,11 @@ class Interrupted(KeyboardInterrupt):
     ----------
     result : object
         What the call would have returned, with what was done by then (``sys.last_value.result`` at a prompt).
+
+    Examples
+    --------
+    >>> eq.Interrupted(result=None).result is None
+    True
     """
 
     def __init__(self, result: Any) -> None:
@@ -56,4 +74,9 @@ class Interrupted(KeyboardInterrupt):
 
 
 class UndecidedWarning(UserWarning):
-    """More than 1 % of the starts ended in no attractor by the horizon."""
+    """More than 1 % of the starts ended in no attractor by the horizon.
+
+    Examples
+    --------
+    >>> warnings.simplefilter("error", eq.UndecidedWarning)  # to stop instead
+    """

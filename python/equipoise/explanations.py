@@ -25,7 +25,26 @@ class _Said(SavedAsData):
 
 
 class Explanation(_Said):
-    """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
+    """A study's numbers and what follows from them without any simulation; ``text`` and ``data``.
+
+    Attributes
+    ----------
+    text : str
+        As the command line prints it.
+    warnings : list[str]
+        What to beware of.
+    advice : dict[str, dict]
+        Rules of thumb, estimates and not results.
+    cost : dict or None
+        With ``cost=True``: how long :func:`basin` takes, in seconds.
+    data : dict
+        As ``--json`` has it.
+
+    Examples
+    --------
+    >>> "drag" in eq.explain(study).advice
+    True
+    """
 
     warnings: list[str] = member("warnings", "What to beware of.")
     cost: Optional[dict[str, Any]] = member(
@@ -43,10 +62,27 @@ def explain(study: Study, *, cost: bool = False, within: WithinArgument = None) 
 
     Parameters
     ----------
+    study : Study
     cost : bool
         Also how long :func:`basin` takes, measured on a part of it: the search for attractors and the first starts.
     within : float or str, optional
         Of the cost: the longest that this may take; default 10 s. As for :func:`basin`.
+
+    Returns
+    -------
+    Explanation
+
+    Raises
+    ------
+    TypeError
+        If `study` is not a Study.
+    Interrupted
+        After Ctrl-C; its ``.result`` lacks the cost.
+
+    Examples
+    --------
+    >>> eq.explain(study).warnings
+    []
     """
     checked_study(study)
     patience = None if not cost else time_limit(within) or ""
@@ -66,6 +102,11 @@ class StudyCheck(_Said):
         What the study does not state and what matters, each a few words.
     matters_most : str
         Which of the estimated quantities matters most, and how that was judged.
+
+    Examples
+    --------
+    >>> eq.check(machine).assumed[0]
+    'balls free from t = 0'
     """
 
     machine: str = member("machine")
@@ -76,13 +117,42 @@ class StudyCheck(_Said):
 
 
 def check(study: Study) -> StudyCheck:
-    """What was understood of a study, what was assumed, and which estimate matters most. Milliseconds."""
+    """What was understood of a study, what was assumed, and which estimate matters most. Milliseconds.
+
+    Parameters
+    ----------
+    study : Study
+
+    Returns
+    -------
+    StudyCheck
+
+    Raises
+    ------
+    TypeError
+        If `study` is not a Study.
+
+    Examples
+    --------
+    >>> eq.check(machine).matters_most.split(".")[0]
+    'ball drag'
+    """
     data = checked_study(study)._core.check()
     return StudyCheck(study, data.pop("text"), data)
 
 
 def machines() -> list[str]:
-    """What :func:`new` takes."""
+    """Names of the machines that :func:`new` takes.
+
+    Returns
+    -------
+    list[str]
+
+    Examples
+    --------
+    >>> eq.machines()
+    ['washing-machine', 'grinder', 'centrifuge', 'drive', 'fan', 'blank']
+    """
     return list(_core.new_machines())
 
 
@@ -96,10 +166,19 @@ def new(machine: str, output: Optional[str | os.PathLike[str]] = None) -> Study:
     output : path, optional
         Write it there with its comments; must be a new file, for no study is overwritten.
 
+    Returns
+    -------
+    Study
+
     Raises
     ------
     StudyError
         For other machines, and files that exist.
+
+    Examples
+    --------
+    >>> eq.new("fan").balls
+    3
     """
     text = _core.new_study(str(machine))
     if output is None:

@@ -35,6 +35,12 @@ class Inspection(SavedAsData):
         Starts, cells, what varies.
     study : Study or None
         What was asked.
+
+    Examples
+    --------
+    >>> kept = eq.basin(oiled, starts=100, output="inspected.nc")
+    >>> eq.inspect("inspected.nc").sound
+    True
     """
 
     path: str = member("path")
@@ -66,10 +72,24 @@ def inspect(path: str | os.PathLike[str]) -> Inspection:
 
     Damage is reported, not raised.
 
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    Inspection
+
     Raises
     ------
     StudyError
         For files that cannot be read, are in use, or hold no results.
+
+    Examples
+    --------
+    >>> kept = eq.basin(oiled, starts=100, output="kept.nc")
+    >>> eq.inspect("kept.nc")
+    <Inspection of kept.nc: basin, sound>
     """
     return Inspection(_core.inspect(os.fspath(path)))
 
@@ -84,10 +104,21 @@ def merge(files: Iterable[str | os.PathLike[str]], output: str | os.PathLike[str
     output : path
         The merged file (.nc).
 
+    Returns
+    -------
+    SweepResult
+
     Raises
     ------
     StudyError
         For files that do not belong to one sweep, or are damaged.
+
+    Examples
+    --------
+    >>> over = {"speed.final": [2.4, 2.6]}
+    >>> parts = [eq.sweep(oiled, over, starts=50, shard=(k, 2), output=f"{k}.nc") for k in (1, 2)]
+    >>> eq.merge(["1.nc", "2.nc"], "all.nc").shape
+    (2,)
     """
     if isinstance(files, (str, os.PathLike)):
         refuse("files", files, "a list of paths")
@@ -102,6 +133,12 @@ class CertificateCheck(SavedAsData):
     ----------
     proved : bool
         Whether all of them are valid.
+
+    Examples
+    --------
+    >>> eq.certify(study).save("checked.json")
+    >>> eq.check_certificates("checked.json")
+    <CertificateCheck: proved>
     """
 
     proved: bool = member("proved")
@@ -113,10 +150,24 @@ class CertificateCheck(SavedAsData):
 def check_certificates(path: str | os.PathLike[str]) -> CertificateCheck:
     """Verify a file of certificates (``CertifyResult.save``, ``equipoise certify -o``) from its own data.
 
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    CertificateCheck
+
     Raises
     ------
     StudyError
         For files that cannot be read, hold no certificates, or are larger than 64 MiB.
+
+    Examples
+    --------
+    >>> eq.certify(study).save("proof.json")
+    >>> eq.check_certificates("proof.json").proved
+    True
     """
     name = os.fspath(path)
     try:

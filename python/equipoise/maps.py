@@ -50,9 +50,10 @@ class MapResult(OverPlane, WithPage):
     x_key, y_key : str
     x_edges, y_edges : tuple[float, float]
         Where the outermost pixels end.
-    names : dict[int, str]
+    names, aliases : dict[int, str]
+        Of the outcomes, by the numbers in `outcome`.
     shares : dict[str, float]
-        Of the pixels computed, without those left out.
+        By name: fraction of the pixels computed, without those left out.
     errors : dict[str, tuple[float, float]]
         Of random starts in as great a number.
     figures : dict[str, tuple[float, float, float] or float or list or None]
@@ -63,6 +64,11 @@ class MapResult(OverPlane, WithPage):
     left_out : int
         Pixels that start alike balls in one place: shares and figures leave them out, since their measure is zero.
     complete : bool
+
+    Examples
+    --------
+    >>> eq.map(study, size=(24, 16)).outcome.shape
+    (16, 24)
     """
 
     outcome: npt.NDArray[np.int16]
@@ -134,6 +140,7 @@ def map(  # noqa: A001 (the command line's name)
 
     Parameters
     ----------
+    study : Study
     x, y : str
         Keys of rotor, balancer, speed, release or initial that take a number; initial.phi_1 for one ball's angle.
     size : int or (int, int)
@@ -146,6 +153,23 @@ def map(  # noqa: A001 (the command line's name)
         NetCDF file that is written as pixels are done; the same call resumes it.
     threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    MapResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> plane = eq.map(study, size=24)
+    >>> plane.names[int(plane.outcome[0, 0])] in plane.shares
+    True
     """
     for name, key in (("x", x), ("y", y)):
         _check_ball(checked_study(study), name, key)

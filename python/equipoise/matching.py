@@ -35,6 +35,12 @@ class Matching:
         Distances of these pairs, by identifiers in the first answer.
     gone, new : list[int]
         Identifiers without a partner: in the first answer, and in the second.
+
+    Examples
+    --------
+    >>> mapper = eq.Mapper(oiled)
+    >>> eq.match(mapper, mapper).gone
+    []
     """
 
     same: dict[int, int]
@@ -172,6 +178,11 @@ def match(before: Listing, after: Listing, *, by: By = "position", threshold: fl
     Notes
     -----
     The matchers of Attractors.jl [Attractors] offer such choices for any system.
+
+    Examples
+    --------
+    >>> eq.match(eq.Mapper(study), eq.Mapper(study.replace({"speed.final": 2.5}))).same
+    {1: 1, 2: 2, 3: 3}
     """
     limit = _checked(by, threshold)
     first, second = _listed("before", before), _listed("after", after)
@@ -219,8 +230,9 @@ def match_along(
 
     Examples
     --------
-    >>> v1 = match_along(answers)[1]                                  # doctest: +SKIP
-    >>> plt.plot(v1.keys(), [a.share for a in v1.values()])           # doctest: +SKIP
+    >>> answers = [eq.Mapper(oiled.replace({"speed.final": speed})) for speed in (2.3, 2.4)]
+    >>> [list(track) for track in eq.match_along(answers)]
+    [[0, 1]]
     """
     limit = _checked(by, threshold)
     lists = [_listed(f"answers[{place}]", answer) for place, answer in enumerate(answers)]

@@ -58,11 +58,10 @@ class Model:
 
     Examples
     --------
-    >>> model = Model(study, frame="inertial", axis=0)                # doctest: +SKIP
-    >>> begin = model.array(0.0, model.initial_state)                 # doctest: +SKIP
-    >>> run = scipy.integrate.solve_ivp(model.rhs, (0, 50), begin)    # doctest: +SKIP
-    >>> model.state(run.t, run.y)                                     # doctest: +SKIP
-    <State of 2 balls, inertial: shape (213,)>
+    >>> model = eq.Model(study, frame="inertial", axis=0)
+    >>> run = scipy.integrate.solve_ivp(model.rhs, (0, 50), model.array(0.0, model.initial_state))
+    >>> model.state(run.t, run.y)
+    <State of 2 balls, inertial: shape (...,)>
     """
 
     dimension: int = _of_equations("dimension")
@@ -237,8 +236,8 @@ class Mapper:
 
     Examples
     --------
-    >>> mapper = Mapper(study)                # doctest: +SKIP
-    >>> mapper([1.0, 4.0])                    # ball angles; the rest as [initial] says   # doctest: +SKIP
+    >>> mapper = eq.Mapper(study)
+    >>> mapper([1.0, 4.0])  # ball angles; the rest as [initial] says
     <Attractor 1 balanced: equilibrium, r = 0 to 0>
     """
 

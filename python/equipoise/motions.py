@@ -63,7 +63,17 @@ class _Named(Result, Generic[_Item]):
 
 
 class AttractorsResult(SavedAsData, _Named[Attractor]):
-    """Every attractor that was found, as a sequence: ``for a in result``, ``result[0]``, ``result["balanced"]``."""
+    """Every attractor that was found, as a sequence: ``for a in result``, ``result[0]``, ``result["balanced"]``.
+
+    Attributes
+    ----------
+    attractors : list[Attractor]
+
+    Examples
+    --------
+    >>> eq.attractors(study, starts=300)["balanced"].id
+    1
+    """
 
     _of = "attractors"
 
@@ -98,6 +108,7 @@ def attractors(
 
     Parameters
     ----------
+    study : Study
     starts : int, optional
         Random starts searched; default 20736, which miss an attractor with a share above 1e-3 once in 1e9 searches.
     states : State, or array_like (n, 4 + 2 balls), optional
@@ -107,6 +118,22 @@ def attractors(
         What the velocities of such rows are: x_dot and y_dot, or u and v.
     seed, threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    AttractorsResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> [motion.name for motion in eq.attractors(study, starts=300)]
+    ['balanced', 'co-drifting', 'drifting apart']
     """
     asked = with_starts(study, None, seed)
     searched = None if starts is None else whole("starts", starts, 1, MOST_STARTS)
@@ -144,14 +171,26 @@ class Branch:
 
     Attributes
     ----------
-    id, name, alias
-    value, r_min, r_mean, r_max, growth_rate : ndarray (n,)
-        Where it exists; growth_rate: of its slowest deviation.
+    id : int
+        As in :class:`Attractor`.
+    name, alias : str
+    value : ndarray (n,)
+        Values of the parameter at which it exists, dimensionless.
+    r_min, r_mean, r_max : ndarray (n,)
+        Distance of the rotor's centre from the axis, in R.
+    growth_rate : ndarray (n,)
+        Of its slowest deviation, in omega_c.
     stable : ndarray (n,), bool
     kind : list[str]
+        As in :class:`Attractor`, at each value.
     multiplier : ndarray (n,)
         Largest Floquet multiplier; nan where there is none.
     events : list[Event]
+
+    Examples
+    --------
+    >>> eq.follow(oiled, "speed.final", 2.4, 2.5, 0.1, starts=50)["balanced"].value
+    array([2.4, 2.5])
     """
 
     def __init__(self, data: dict[str, Any], events: list[dict[str, Any]]) -> None:
@@ -187,8 +226,15 @@ class BranchesResult(_Named[Branch]):
     Attributes
     ----------
     parameter : str
+        Its key.
     values : ndarray
         All values of the parameter, and those half-way between at which a branch lives that has no others.
+    branches : list[Branch]
+
+    Examples
+    --------
+    >>> eq.follow(oiled, "speed.final", 2.4, 2.5, 0.1, starts=50).parameter
+    'speed.final'
     """
 
     _of = "branches"
@@ -250,6 +296,7 @@ def follow(
 
     Parameters
     ----------
+    study : Study
     key : str
         "speed.final", "balancer.drag", "rotor.eccentricity" and so on.
     low, high, step : float or str
@@ -263,6 +310,22 @@ def follow(
         As for :func:`attractors`.
     threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    BranchesResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> [branch.name for branch in eq.follow(oiled, "speed.final", 2.4, 2.5, 0.1, starts=50)]
+    ['balanced']
     """
     checked_study(study)
     given = {"low": plain(low), "high": plain(high), "step": plain(step)}
@@ -288,6 +351,11 @@ class CertifyResult(Result):
         Why there is no state to prove anything of, if so.
     states : list[dict]
         One a stable balanced state that is no copy: ``phi``, ``level``, ``reach``, ``proved``, ``reason``.
+
+    Examples
+    --------
+    >>> eq.certify(study)
+    <CertifyResult of table-2-omega-2.4: proved, 1 states>
     """
 
     proved: bool = member("proved")
@@ -308,10 +376,27 @@ class CertifyResult(Result):
 def certify(study: Study, *, progress: ProgressArgument = False, within: WithinArgument = None) -> CertifyResult:
     """Prove, around each stable balanced state, a level set of states that all end balanced.
 
+    Parameters
+    ----------
+    study : Study
+    progress, within
+        As for :func:`basin`.
+
+    Returns
+    -------
+    CertifyResult
+
     Raises
     ------
     StudyError
         For systems without such proofs (gravity, anisotropic supports, contact, dry friction).
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> eq.certify(study).proved
+    True
     """
     with settings(0, progress, None, within) as how:
         core = _core.certify(checked_study(study)._core, how)

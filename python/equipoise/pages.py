@@ -28,6 +28,11 @@ class Report(BasinResult):
         The page: one file that needs nothing else.
     sentences : str
         What the command line prints: the verdict and the answer.
+
+    Examples
+    --------
+    >>> eq.report(oiled, 100, changes=False).html.startswith("<!")
+    True
     """
 
     _lasting: tuple[str, ...] = ("data", "text", "html", "sentences")
@@ -53,6 +58,7 @@ def report(
 
     Parameters
     ----------
+    study : Study
     starts, seed : int, optional
         Default: the study's.
     changes : bool
@@ -60,9 +66,20 @@ def report(
     threads, progress, cpu, within
         As for :func:`basin`.
 
+    Returns
+    -------
+    Report
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
     Examples
     --------
-    >>> report(study).save("machine.html")  # doctest: +SKIP
+    >>> eq.report(oiled, 100, changes=False).save("machine.html")
     """
     asked = with_starts(study, starts, seed)
     with settings(threads, progress, cpu, within) as how:
@@ -91,6 +108,11 @@ class Replay:
         Of the rotor in the end, in omega_c, where a motor drives it.
     transients : dict[str, float]
         Peak displacement and other transients, dimensionless; empty if they are not gathered.
+
+    Examples
+    --------
+    >>> eq.replay(oiled, 17).index
+    17
     """
 
     index: int
@@ -120,6 +142,22 @@ def replay(
         Seed of the starts; default: the study's, or the ensemble's. Name the one given to :func:`basin`.
     transients : bool, optional
         As for :func:`basin`.
+    progress, cpu
+        As for :func:`basin`.
+
+    Returns
+    -------
+    Replay
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments, before any work.
+
+    Examples
+    --------
+    >>> eq.replay(oiled, 17).outcome
+    'balanced'
     """
     if isinstance(study, BasinResult):
         if study.data["sampling"]["method"] == "given":

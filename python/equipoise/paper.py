@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 from . import _core
 from ._arguments import MOST_STARTS, path_text, refuse, whole
@@ -20,6 +20,11 @@ class Reproduction(SavedAsData):
         Each with its rows, cells, p values and verdicts.
     differs : bool
         A cell that is claimed to agree does not.
+
+    Examples
+    --------
+    >>> eq.reproduce("table-5", starts=50, law="kinematic").tables[0]["table"]
+    5
     """
 
     tables: list[dict[str, Any]] = member("tables")
@@ -43,7 +48,7 @@ class Reproduction(SavedAsData):
 
 
 def reproduce(
-    *what: str, starts: int = 0, law: str = "both", folder: Optional[str | os.PathLike[str]] = None,
+    *what: str, starts: int = 0, law: Literal["published", "kinematic", "both"] = "both", folder: Optional[str | os.PathLike[str]] = None,
     map_pixels: int = 64,
     threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> Reproduction:
@@ -63,6 +68,24 @@ def reproduce(
         Along each side of the maps of "future": 2 to 4096.
     threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    Reproduction
+
+    Raises
+    ------
+    ValueError
+        If no part is named.
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> eq.reproduce("table-5", starts=50, law="kinematic").differs
+    False
     """
     if not what:
         raise ValueError(f"reproduce() needs the name of a part: {', '.join(_core.reproducible())}")
@@ -79,5 +102,15 @@ def reproduce(
 
 
 def reproducible() -> list[str]:
-    """What :func:`reproduce` takes."""
+    """Names of the parts that :func:`reproduce` takes.
+
+    Returns
+    -------
+    list[str]
+
+    Examples
+    --------
+    >>> eq.reproducible()[0]
+    'table-1'
+    """
     return list(_core.reproducible())

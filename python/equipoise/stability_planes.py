@@ -50,6 +50,11 @@ class StabilityResult(OverPlane):
     answer : str
         What `text` begins with.
     complete : bool
+
+    Examples
+    --------
+    >>> eq.stability(study, size=20, x_range=(0.5, 6.0), y_range=(0.01, 0.25)).kind.shape
+    (20, 20)
     """
 
     #: Words of `kind`, by number from 0.
@@ -97,6 +102,7 @@ def stability(
 
     Parameters
     ----------
+    study : Study
     x, y : str
         Keys of rotor, balancer or speed that take a number.
     size : int or (int, int)
@@ -107,6 +113,23 @@ def stability(
         NetCDF file. An existing one has to hold the same plane of the same study.
     threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    StabilityResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> plane = eq.stability(study, size=20, x_range=(0.5, 6.0), y_range=(0.01, 0.25))
+    >>> 0.8 < plane.shares["stable"] < 1.0
+    True
     """
     checked_study(study)
     axes = plane_axes((x, y), size, (x_range, y_range), "speed.final")

@@ -64,7 +64,7 @@ class State:
 
     Examples
     --------
-    >>> eq.State(x=0.0, y=0.0, x_dot=0.0, y_dot=0.0, phi=[1.0, 4.0])      # doctest: +SKIP
+    >>> eq.State(x=0.0, y=0.0, x_dot=0.0, y_dot=0.0, phi=[1.0, 4.0])
     <State of 2 balls, rotating: x 0, y 0, x_dot 0, y_dot 0, phi [1. 4.], phi_dot [0. 0.]>
     """
 
@@ -114,6 +114,20 @@ class State:
             Whose number of balls the width must fit.
         psi_dot : array_like, optional
             Speed of the rotor, without which velocities cannot be turned into the other frame's.
+
+        Returns
+        -------
+        State
+
+        Raises
+        ------
+        StudyError
+            If the array has another shape, or holds no numbers.
+
+        Examples
+        --------
+        >>> eq.State.from_array(np.zeros((5, 8)), frame="rotating").shape
+        (5,)
         """
         names = _VELOCITIES[checked_frame(frame)]
         rows = floats("array", array)

@@ -9,7 +9,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 from . import _core
 from ._html import definition_table
@@ -115,9 +115,9 @@ class Study:
 
     Examples
     --------
-    >>> study = Study(rotor=dict(eccentricity=0.01, damping=0.5),
-    ...               balancer=dict(balls=2, mass=0.05, drag=0.05),
-    ...               speed=dict(profile="constant", speed=2.4))
+    >>> study = eq.Study(rotor=dict(eccentricity=0.01, damping=0.5),
+    ...                  balancer=dict(balls=2, mass=0.05, drag=0.05),
+    ...                  speed=dict(profile="constant", speed=2.4))
     >>> study["rotor.eccentricity"]
     0.01
     """
@@ -136,12 +136,53 @@ class Study:
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Study:
-        """Read a study file (TOML)."""
+        """Read a study file (TOML).
+
+        Parameters
+        ----------
+        path : path
+
+        Returns
+        -------
+        Study
+
+        Raises
+        ------
+        StudyError
+            If the file cannot be read or is not valid.
+
+        Examples
+        --------
+        >>> study.save("study.toml")
+        >>> eq.Study.from_file("study.toml").balls
+        2
+        """
         return cls._of(_core.Study.from_file(os.fspath(path)))
 
     @classmethod
     def from_toml(cls, text: str, name: str = "study") -> Study:
-        """Read the text of a study file."""
+        """Read the text of a study file.
+
+        Parameters
+        ----------
+        text : str
+        name : str
+            For messages and results.
+
+        Returns
+        -------
+        Study
+
+        Raises
+        ------
+        StudyError
+            If it is not valid.
+
+        Examples
+        --------
+        >>> eq.Study.from_toml(study.to_toml()) == study
+        True
+        """
         return cls._of(_core.Study(text, name))
 
     def replace(self, changes: Optional[Mapping[str, Any]] = None, /, **keys: Any) -> Study:
@@ -153,10 +194,19 @@ class Study:
             Values by dotted key, as ``--set`` takes them on the command line: ``replace(**{"speed.final": 2.6})``,
             ``replace({"rotor.unbalance": "200 g mm"})``; whole tables if keys change: ``replace(speed={...})``.
 
+        Returns
+        -------
+        Study
+
         Raises
         ------
         StudyError
             If the result is not a valid study.
+
+        Examples
+        --------
+        >>> study.replace({"speed.final": 2.6})["speed.final"]
+        2.6
         """
         together = {**_tables(changes, "changes"), **keys}
         overrides = [f"{_dotted(key)}={toml_value(str(key), value)}" for key, value in together.items()]
@@ -168,8 +218,28 @@ class Study:
             text = str(error).removeprefix(_core.overrides_name).removeprefix(":").strip()
             raise StudyError(text, error.key, error.value, error.wrong, error.allowed, self.name) from None
 
-    def with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
-        """The same study with another number of starts, seed or method of sampling; None leaves the present one."""
+    def with_starts(
+        self, starts: Optional[int], seed: Optional[int], method: Optional[Literal["random", "sobol", "grid"]] = None
+    ) -> Study:
+        """The same study with another number of starts, seed or method of sampling; None leaves the present one.
+
+        Parameters
+        ----------
+        starts : int or None
+            1 or more.
+        seed : int or None
+            0 or more.
+        method : {"random", "sobol", "grid"}, optional
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> study.with_starts(100, None)["sampling.starts"]
+        100
+        """
         changes = {"sampling.starts": starts, "sampling.seed": seed, "sampling.method": method}
         given = {key: value for key, value in changes.items() if value is not None}
         return self.replace(given) if given else self
@@ -287,11 +357,21 @@ class Study:
 
 
 def paper_studies() -> list[str]:
-    """Names of the studies of Wright and Peng (2019): one per row of their tables."""
+    """Names of the studies of Wright and Peng (2019): one per row of their tables.
+
+    Returns
+    -------
+    list[str]
+
+    Examples
+    --------
+    >>> "table-2-omega-2.4" in eq.paper_studies()
+    True
+    """
     return list(_core.paper_studies())
 
 
-def paper_study(name: str, law: str = "kinematic") -> Study:
+def paper_study(name: str, law: Literal["kinematic", "published"] = "kinematic") -> Study:
     """A study of Wright and Peng (2019), such as ``"table-2-omega-2.4"``.
 
     Parameters
@@ -300,5 +380,19 @@ def paper_study(name: str, law: str = "kinematic") -> Study:
         One of ``paper_studies()``.
     law : {"kinematic", "published"}
         How the ramp function turns the rotor; it matters where the speed varies.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    StudyError
+        For other names.
+
+    Examples
+    --------
+    >>> eq.paper_study("table-2-omega-2.4").balls
+    2
     """
     return Study._of(_core.paper_study(name, law))

@@ -50,6 +50,11 @@ class SweepResult(Result, WithPage):
     undecided : ndarray
     cells : list[dict]
         As the command line's ``--json`` has them.
+
+    Examples
+    --------
+    >>> eq.sweep(study, {"speed.final": [2.4, 2.6]}, starts=50).shares["balanced"].shape
+    (2,)
     """
 
     cells: list[dict[str, Any]] = member("cells")
@@ -169,6 +174,7 @@ def sweep(
 
     Parameters
     ----------
+    study : Study
     over : dict
         Values by key: ``{"speed.final": "1.5:6:0.1", "balancer.drag": [0.01, 0.05]}``; text as ``--over`` takes it
         (also with units), or numbers, or texts with units. None: what the study's [sweep] says.
@@ -184,6 +190,23 @@ def sweep(
         NetCDF file that is written cell by cell; the same call resumes it.
     transients, threads, progress, cpu, within
         As for :func:`basin`.
+
+    Returns
+    -------
+    SweepResult
+
+    Raises
+    ------
+    StudyError
+        For unusable arguments and studies without an answer, before any work.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the work done by then.
+
+    Examples
+    --------
+    >>> found = eq.sweep(study, {"speed.final": "2.4:2.6:0.2"}, starts=50)
+    >>> found.axes["speed.final"]
+    array([2.4, 2.6])
     """
     asked = with_starts(study, starts, seed)
     part, parts = _shard(shard)

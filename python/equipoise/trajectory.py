@@ -137,6 +137,11 @@ class Trajectory(_Runs):
     status : str
         "done", "diverged", "failed" or "stopped"; if not "done", later times are missing.
     study : Study
+
+    Examples
+    --------
+    >>> eq.simulate(study, 10.0).phi.shape
+    (101, 2)
     """
 
     status: str
@@ -182,6 +187,11 @@ class Trajectories(_Runs):
     states : State (starts, n)
         The same as states.
     study : Study
+
+    Examples
+    --------
+    >>> eq.simulate(study, [0.0, 10.0], starts=50).phi.shape
+    (50, 2, 2)
     """
 
     status: list[str]
@@ -292,7 +302,9 @@ def simulate(
 
     Examples
     --------
-    >>> study = eq.paper_study("table-2-omega-2.4")
+    >>> run = eq.simulate(study, np.linspace(0.0, 10.0, 5))
+    >>> run.t
+    array([ 0. ,  2.5,  5. ,  7.5, 10. ])
     >>> runs = eq.simulate(study, [0.0, 50.0, 400.0], starts=100, seed=1)
     >>> runs.radial.shape
     (100, 3)

@@ -85,7 +85,7 @@ def test_every_picture_and_call_is_on_the_page():
     for name in eq.plot.__all__:
         assert f"eq.plot.{name}(" in PAGE, name
     calls = [name for name in eq.__all__ if name[0].islower() and name != "plot"]
-    assert len(calls) == 27
+    assert len(calls) == 28
     assert "eq.map(" in PAGE  # not among those that `from equipoise import *` takes
     for name in calls:
         assert f"eq.{name}(" in PAGE, name

@@ -602,3 +602,56 @@ def test_pictures_warn_of_nothing(ensemble, plane, spin_up):
         eq.plot.map(plane).figure.canvas.draw()
         eq.plot.disc(spin_up).figure.canvas.draw()
         eq.plot.trajectory(spin_up, balls=True)[0].figure.canvas.draw()
+
+
+PLANE = dict(x_range=(0.5, 6.0), y_range=(0.01, 0.25))
+
+
+@pytest.fixture(scope="module")
+def bifurcations(study):
+    return eq.chart(study, size=24, boxes=2000, **PLANE)
+
+
+def test_a_chart_shows_how_balance_is_lost_what_is_proved_and_regions(bifurcations):
+    ax = eq.plot.chart(bifurcations)
+    words = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert {"balance is lost softly", "balance is lost abruptly", "two locked states merge", "balance proved stable"} <= set(words)
+    assert "A: balance" in words and "C: nothing" in words
+    for line in ax.get_lines():
+        # The first Lyapunov coefficient decides between the two, point by point.
+        if line.get_label() in ("balance is lost softly", "balance is lost abruptly"):
+            (curve,) = [c for c in bifurcations.curves if c.of == "balance" and line.get_xdata()[1] in c.x]
+            inner = np.isin(curve.x, line.get_xdata()[1:-1])
+            assert np.all((curve.lyapunov[inner] < 0.0) == (line.get_label() == "balance is lost softly"))
+    for curve in bifurcations.curves:  # no point is left out
+        drawn = np.concatenate([line.get_xdata() for line in ax.get_lines()])
+        assert np.isin(curve.x, drawn).all()
+    boxes = sum(len(collection.get_paths()) for collection in ax.collections)
+    assert boxes == np.sum(bifurcations.box_kind >= 0)
+    assert ax.get_xlim() == PLANE["x_range"] and ax.get_ylim() == PLANE["y_range"]
+    assert not [text for text in eq.plot.chart(bifurcations, regions=False).texts if text.get_text() == "A"]
+
+
+@pytest.mark.parametrize("log", ["x", "y", "xy"])
+def test_planes_and_charts_have_logarithmic_axes(study, bifurcations, log):
+    plane = eq.stability(study, size=(30, 20), **PLANE)
+    along = eq.map(study, "speed.final", "balancer.drag", (6, 4), x_range=(2.0, 3.0), y_range=(0.1, 0.3))
+    for ax in (eq.plot.stability(plane, log=log), eq.plot.map(along, log=log), eq.plot.chart(bifurcations, log=log)):
+        assert (ax.get_xscale(), ax.get_yscale()) == tuple("log" if name in log else "linear" for name in "xy")
+        ax.figure.canvas.draw()
+        assert "0.2" in [text.get_text() for text in ax.get_yticklabels()] or "y" not in log
+    even, uneven = eq.plot.stability(plane), eq.plot.stability(plane, log=log)
+    mesh = uneven.collections[0]
+    uneven.figure.canvas.draw()
+    np.testing.assert_allclose(mesh.get_facecolors()[:, :3], even.images[0].get_array().reshape(-1, 3))
+    np.testing.assert_allclose(mesh.get_coordinates()[0, :, 0], np.linspace(0.5, 6.0, 31))
+    np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], np.linspace(0.01, 0.25, 21))
+
+
+def test_axes_that_reach_zero_have_no_logarithm(plane, bifurcations):
+    with pytest.raises(ValueError, match="x goes from 0 to .*; allowed: from above 0"):
+        eq.plot.map(plane, log="x")
+    with pytest.raises(ValueError, match="log = 'z'; allowed: '', 'x', 'y', 'xy'"):
+        eq.plot.chart(bifurcations, log="z")
+    with pytest.raises(TypeError, match="draws a ChartResult"):
+        eq.plot.chart(plane)

@@ -10,17 +10,18 @@ when the first picture is drawn.
     of an ensemble (`equipoise.basin`)
 `sweep`, `branches`
     along parameters (`equipoise.sweep`, `equipoise.follow`)
-`map`, `stability`
-    over a plane (`equipoise.map`, `equipoise.stability`)
+`map`, `stability`, `chart`
+    over a plane (`equipoise.map`, `equipoise.stability`, `equipoise.chart`)
 `trajectory`, `disc`, `animate`
     of one motion (`equipoise.simulate`, `equipoise.attractors`)
 """
 
 from .animation import animate
+from .charts import chart
 from .ensembles import shares, transients
 from .machine import disc
 from .parameters import branches, sweep
 from .plane import map, stability
 from .trajectories import trajectory
 
-__all__ = ["animate", "branches", "disc", "map", "shares", "stability", "sweep", "trajectory", "transients"]
+__all__ = ["animate", "branches", "chart", "disc", "map", "shares", "stability", "sweep", "trajectory", "transients"]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import parts
-from .machine import Machine, States, check_view, magnification, own_limit, run_of
+from .machine import Machine, States, View, check_view, magnification, own_limit, run_of
 
 if TYPE_CHECKING:
     from ..attractor import Attractor
@@ -24,7 +24,7 @@ _TURN_A_FRAME = 2.0 * np.pi / 3.0
 
 def animate(
     motion: Union[Trajectory, Attractor], path: Union[str, os.PathLike[str]], fps: int = 30, seconds: float = 10.0,
-    limit: Optional[float] = None, frame: str = "room", magnify: Optional[float] = None, dpi: int = 120,
+    limit: Optional[float] = None, frame: View = "room", magnify: Optional[float] = None, dpi: int = 120,
 ) -> Path:
     """Writes a film of the machine seen along its axis, as `disc` draws it.
 
@@ -65,6 +65,10 @@ def animate(
     UserWarning
         The rotor turns so far from one picture to the next that it seems to stand or to turn backwards. Film a shorter
         stretch of time, or in the rotor's frame.
+
+    Examples
+    --------
+    >>> film = eq.plot.animate(eq.simulate(study, 10.0), "spin-up.gif", fps=5, seconds=1.0, frame="rotor")
     """
     check_view("animate", frame, magnify)
     run, attractor = run_of("animate", motion)

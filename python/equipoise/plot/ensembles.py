@@ -48,9 +48,18 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
         Of `equipoise.basin`.
     ax : matplotlib.axes.Axes, optional
 
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+
     Examples
     --------
-    >>> eq.plot.shares(eq.basin(study, starts=4000))
+    >>> ax = eq.plot.shares(eq.basin(study, starts=400))
     """
     parts.need("shares", result, "a BasinResult, that of equipoise.basin()", ("shares", "errors", "counts", "names"))
     outcomes = _outcomes(result)
@@ -111,10 +120,20 @@ def transients(
         Drawn in place of the limit that the study states, in the unit of the picture's axis.
     ax : matplotlib.axes.Axes, optional
 
+    Returns
+    -------
+    matplotlib.axes.Axes
+
     Raises
     ------
     ValueError
         It has no transients, there is no such column, or `bins` is below 1.
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> ax = eq.plot.transients(eq.basin(oiled, starts=100, transients=True), "peak_radial")
     """
     wanted = "a BasinResult, that of equipoise.basin()"
     parts.need("transients", result, wanted, ("shares", "errors", "counts", "names"))

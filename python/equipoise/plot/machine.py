@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
 import numpy as np
 
@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from ..attractor import Attractor, Path
     from ..study import Study
     from ..trajectory import Trajectory
+
+#: Whose eyes a picture has.
+View = Literal["rotor", "room"]
 
 FRAMES = ("rotor", "room")
 _SEEN = 0.02
@@ -198,7 +201,7 @@ def own_limit(study: Study, limit: Optional[float]) -> Optional[float]:
 
 
 def disc(
-    motion: Union[Trajectory, Attractor], at: int = -1, limit: Optional[float] = None, frame: str = "rotor",
+    motion: Union[Trajectory, Attractor], at: int = -1, limit: Optional[float] = None, frame: View = "rotor",
     magnify: Optional[float] = None, legend: bool = True, ax: Optional[Axes] = None,
 ) -> Axes:
     """The machine seen along its axis: race, numbered balls, the path of the rotor's centre, centre of mass, limit.
@@ -223,10 +226,20 @@ def disc(
     ax : matplotlib.axes.Axes, optional
         In race radii, the axis of the bearings at the origin.
 
+    Returns
+    -------
+    matplotlib.axes.Axes
+
     Raises
     ------
     IndexError
         There is no such time.
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> ax = eq.plot.disc(eq.simulate(study, 10.0), frame="room")
     """
     check_view("disc", frame, magnify)
     run, attractor = run_of("disc", motion)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Literal, Optional
 
 import numpy as np
 
@@ -31,10 +31,20 @@ def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = Non
         The key from left to right: of two parameters by default the last.
     ax : matplotlib.axes.Axes, optional
 
+    Returns
+    -------
+    matplotlib.axes.Axes
+
     Raises
     ------
     ValueError
         The sweep has three parameters in all combinations, or `x` is none of its keys.
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> ax = eq.plot.sweep(eq.sweep(study, {"speed.final": [2.4, 2.6]}, starts=50))
     """
     parts.need("sweep", result, "a SweepResult, that of equipoise.sweep()", ("axes", "shape", "cells_by_place"))
     keys = list(result.axes)
@@ -161,7 +171,10 @@ _UNSTABLE = (0, (5, 3))
 _HEIGHTS: dict[str, str] = {"r_min": "smallest", "r_mean": "mean", "r_max": "largest"}
 
 
-def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: Optional[Axes] = None) -> Axes:
+def branches(
+    result: BranchesResult, y: Literal["r_max", "r_mean", "r_min", "range"] = "r_max", events: bool = True,
+    ax: Optional[Axes] = None,
+) -> Axes:
     """Attractors along a parameter: solid where they attract, dashed where they are unstable, and what happens to them.
 
     Parameters
@@ -173,6 +186,21 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
     events : bool
         Whether births, ends and changes of stability are marked.
     ax : matplotlib.axes.Axes, optional
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+    ValueError
+        For another `y`.
+
+    Examples
+    --------
+    >>> ax = eq.plot.branches(eq.follow(oiled, "speed.final", 2.4, 2.5, 0.1, starts=50), y="range")
     """
     wanted = "a BranchesResult, that of equipoise.follow()"
     parts.need("branches", result, wanted, ("__iter__", "parameter", "values", "study"))

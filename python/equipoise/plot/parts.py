@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from ..study import Study
 
 Array = npt.NDArray[Any]
+Interval = tuple[float, float]
+
+#: Axes with a logarithmic scale.
+Log = Literal["", "x", "y", "xy"]
 
 BALANCED = 1
 """Identifier of the balanced attractor."""
@@ -68,6 +72,29 @@ def one_of(function: str, argument: str, given: object, allowed: Sequence[str]) 
     """Raises ValueError unless `given` is one of these words."""
     if given not in allowed:
         raise ValueError(f"plot.{function}(): {argument} = {given!r}; allowed: " + ", ".join(repr(a) for a in allowed))
+
+
+def check_log(function: str, log: str, x: Interval, y: Interval) -> None:
+    """Raises ValueError unless these axes can have a logarithmic scale."""
+    one_of(function, "log", log, ("", "x", "y", "xy"))
+    for name, (low, high) in (("x", x), ("y", y)):
+        if name in log and not low > 0.0:
+            raise ValueError(f"plot.{function}(): log = {log!r}: {name} goes from {low:g} to {high:g}; allowed: from above 0")
+
+
+def set_scales(ax: Axes, log: str, x: Interval, y: Interval) -> None:
+    """Limits of both axes, and scales with ticks at 1, 2 and 5 of each decade."""
+    from matplotlib import ticker
+
+    ax.set_xscale("log" if "x" in log else "linear")
+    ax.set_yscale("log" if "y" in log else "linear")
+    ax.set_xlim(*x)
+    ax.set_ylim(*y)
+    for name, axis in (("x", ax.xaxis), ("y", ax.yaxis)):
+        if name in log:
+            axis.set_major_locator(ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def new_axes(size: tuple[float, float], rows: int = 1, heights: Optional[Sequence[float]] = None) -> Any:

@@ -20,7 +20,7 @@ DARKEST = 0.5
 """How bright the last decided pixel of an outcome is: the colour of the legend is still recognised."""
 
 
-def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axes:  # as equipoise.map()
+def map(result: MapResult, shade: bool = True, log: parts.Log = "", ax: Optional[Axes] = None) -> Axes:  # as equipoise.map()
     """Outcomes in their colours, within a colour the darker, the later a start was decided.
 
     The legend has the outcomes' shares of the pixels. Pixels that were not computed are white.
@@ -31,21 +31,51 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
         Of `equipoise.map`.
     shade : bool
         Whether decision times darken the colours.
+    log : {"", "x", "y", "xy"}
+        Axes with a logarithmic scale; their range must lie above 0. Pixels then have unequal sizes.
     ax : matplotlib.axes.Axes, optional
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+    ValueError
+        For another `log`, and logarithmic axes whose range reaches 0 or below.
+
+    Examples
+    --------
+    >>> ax = eq.plot.map(eq.map(study, size=24))
     """
     parts.need("map", result, "a MapResult, that of equipoise.map()", ("outcome", "time", "x_edges", "y_edges"))
     outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
+    parts.check_log("map", log, result.x_edges, result.y_edges)
     ax = ax or parts.new_axes((8.2, 5.2))
-    extent = (*result.x_edges, *result.y_edges)
     angles = parts.is_angle(result.x_key) and parts.is_angle(result.y_key)
-    ax.imshow(
-        coloured(outcome, time if shade else None), origin="lower", extent=extent, interpolation="nearest",
-        aspect="equal" if angles else "auto",
-    )
-    for key, axis, (low, high) in ((result.x_key, ax.xaxis, result.x_edges), (result.y_key, ax.yaxis, result.y_edges)):
-        if parts.is_angle(key) and high - low >= 0.5 * np.pi:
+    _draw(ax, result, coloured(outcome, time if shade else None), log, "equal" if angles else "auto")
+    for name, key, axis, (low, high) in (
+        ("x", result.x_key, ax.xaxis, result.x_edges), ("y", result.y_key, ax.yaxis, result.y_edges),
+    ):
+        if parts.is_angle(key) and high - low >= 0.5 * np.pi and name not in log:
             parts.pi_ticks(axis, low, high)
     return _finished(ax, result, _legend(result, outcome))
+
+
+def _draw(ax: Axes, result: OverPlane, picture: parts.Array, log: str, aspect: str = "auto") -> None:
+    """Pixels (ny, nx, 3), which are evenly spaced also if their axis is not."""
+    if not log:
+        extent = (*result.x_edges, *result.y_edges)
+        ax.imshow(picture, origin="lower", extent=extent, interpolation="nearest", aspect=aspect)
+        return
+    rows, columns, _ = picture.shape
+    edges = np.linspace(*result.x_edges, columns + 1), np.linspace(*result.y_edges, rows + 1)
+    mesh = ax.pcolormesh(*edges, np.zeros((rows, columns)), rasterized=True)
+    mesh.set_array(None)
+    mesh.set_facecolor(picture.reshape(-1, 3))
+    parts.set_scales(ax, log, result.x_edges, result.y_edges)
 
 
 def _finished(ax: Axes, result: OverPlane, handles: list[Any]) -> Axes:
@@ -92,7 +122,7 @@ _KINDS = ((1, "stable", "#0072B2"), (2, "unstable", "#E69F00"), (0, "impossible"
           (4, "not found", "#8C8C8C"))
 
 
-def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as equipoise.stability()
+def stability(result: StabilityResult, log: parts.Log = "", ax: Optional[Axes] = None) -> Axes:  # as equipoise.stability()
     """Where balance is stable, unstable and impossible, the darker, the faster deviations die out or grow.
 
     Solid lines where balance changes stability with a swinging deviation (Hopf), dotted ones where it does without; a
@@ -102,13 +132,31 @@ def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as
     ----------
     result : StabilityResult
         Of `equipoise.stability`.
+    log : {"", "x", "y", "xy"}
+        Axes with a logarithmic scale; their range must lie above 0. Pixels then have unequal sizes.
     ax : matplotlib.axes.Axes, optional
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+    ValueError
+        For another `log`, and logarithmic axes whose range reaches 0 or below.
+
+    Examples
+    --------
+    >>> ax = eq.plot.stability(eq.stability(study, size=20, x_range=(0.5, 6.0), y_range=(0.01, 0.25)))
     """
     from matplotlib import colors
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
     parts.need("stability", result, "a StabilityResult, that of equipoise.stability()", ("kind", "growth", "frequency"))
+    parts.check_log("stability", log, result.x_edges, result.y_edges)
     ax = ax or parts.new_axes((8.2, 5.2))
     kind, growth = np.asarray(result.kind), np.asarray(result.growth)
     picture = np.ones((*kind.shape, 3))
@@ -125,7 +173,7 @@ def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as
         label = f"balance {name}, {parts.PERCENT * float(np.mean(mine)):.1f} %"
         handles.append(Patch(facecolor=colour, edgecolor=parts.QUIET, linewidth=0.6, label=label))
     extent = (*result.x_edges, *result.y_edges)
-    ax.imshow(picture, origin="lower", extent=extent, interpolation="nearest", aspect="auto")
+    _draw(ax, result, picture, log)
     swings = np.asarray(result.frequency) > 1e-7
     for wanted, style, label in ((swings, "solid", "a pair crosses (Hopf)"), (~swings, "dotted", "a real eigenvalue crosses")):
         field = np.where(wanted, growth, np.nan)

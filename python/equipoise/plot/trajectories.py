@@ -34,6 +34,19 @@ def trajectory(
         Whether the angles of the balls are drawn in axes of their own below.
     ax : matplotlib.axes.Axes, or a pair of them, optional
         A pair is for displacement and angles; so is what comes back if there are both.
+
+    Returns
+    -------
+    matplotlib.axes.Axes, or a pair of them if `balls` is true
+
+    Raises
+    ------
+    TypeError
+        If the result is of another call.
+
+    Examples
+    --------
+    >>> upper, lower = eq.plot.trajectory(eq.simulate(study, 10.0), balls=True)
     """
     wanted = "a Trajectory, that of equipoise.simulate()"
     parts.need("trajectory", run, wanted, ("t", "radial", "phi", "psi_dot", "study"))
