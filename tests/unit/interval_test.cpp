@@ -15,7 +15,6 @@
 #include "equipoise/core/math/gradient.hpp"
 #include "equipoise/core/math/krawczyk.hpp"
 #include "equipoise/core/math/positive_definite.hpp"
-#include "equipoise/core/math/proven_sine.hpp"
 
 namespace interval_test {
 
