@@ -1,5 +1,5 @@
 // One attractor search: what its parts share, and the parts, a file each (search_regions.cpp, balanced_levels.cpp,
-// search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
+// search_boxes.cpp, rotor_trends.cpp).
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,6 @@
 #include "equipoise/classification/trapping_regions/continuum_region.hpp"
 #include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
-#include "equipoise/classification/trapping_regions/stalled_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/classification/trapping_regions/path_region.hpp"
 #include "equipoise/core/running/search_log.hpp"
