@@ -10,7 +10,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/machine/balance/cancelling_angles.hpp"
+#include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
