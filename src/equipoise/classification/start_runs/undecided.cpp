@@ -14,7 +14,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/json.hpp"
 
