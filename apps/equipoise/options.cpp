@@ -74,7 +74,7 @@ Study at_medians(Study study) {
   for (const UncertainValue& v : study.uncertain.values)
     values += fmt::format("{}{} = {}{}", values.empty() ? "" : ", ", v.key, v.text(v.taken()),
                           v.has_no_direction() ? " (a quarter turn: it is drawn all round)" : "");
-  say("samples nothing; uncertain values are at their medians: {}", values);
+  say("uncertain values are at their medians: {}", values);
   return with_medians(std::move(study));
 }
 

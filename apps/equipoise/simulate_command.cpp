@@ -1,5 +1,7 @@
-// equipoise simulate: one trajectory at stated times.
+// equipoise simulate: one trajectory, or those of many starts, at stated times.
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/analyses/one_study/trajectories.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
@@ -62,33 +65,29 @@ WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& time
   return left;
 }
 
-int run_simulate(const SimulateArguments& a) {
-  begin_time(a.within);
-  std::vector<std::string> overrides = a.overrides;
-  if (a.tolerance)
-    overrides.push_back(
-        fmt::format("numerics.tolerance={}",
-                    option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
-  const Study study = at_medians(read_study(a.study, overrides));
-  const std::vector<double> times = output_times(a, study);
-  if (!a.output.empty() && !a.output.ends_with(".csv") && !a.output.ends_with(".nc"))
-    throw InputError("--output", "", a.output, "must be a file name ending in .csv or .nc");
-  require_writable("--output", a.output);
+template <class Runs>
+void put_or_write(const std::string& output, const Runs& runs, const Study& study) {
+  if (output.empty())
+    put(trajectory_csv(runs, study));
+  else if (output.ends_with(".csv"))
+    write_file(output, trajectory_csv(runs, study));
+  else
+    write_netcdf(output, runs, to_toml(study));
+}
 
+void say_conventions(const Study& study) {
+  for (const std::string& note : {release_text(study), coincident_text(study)})
+    if (!note.empty()) say(note);
+  if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
+}
+
+int run_one(const SimulateArguments& a, const Study& study, const std::vector<double>& times) {
   const auto begin = std::chrono::steady_clock::now();
   RunOptions options;
   options.stop = &stop_flag();
   const Trajectory trajectory = simulate(study, times, options);
-  if (a.output.empty()) {
-    put(trajectory_csv(trajectory, study));
-  } else if (a.output.ends_with(".csv")) {
-    write_file(a.output, trajectory_csv(trajectory, study));
-  } else {
-    write_netcdf(a.output, trajectory, to_toml(study));
-  }
-  for (const std::string& note : {release_text(study), coincident_text(study)})
-    if (!note.empty()) say(note);
-  if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
+  put_or_write(a.output, trajectory, study);
+  say_conventions(study);
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
     say("stopped after t = {}; the rows so far are kept", last);
@@ -104,6 +103,49 @@ int run_simulate(const SimulateArguments& a) {
   return done;
 }
 
+// A file of an interrupted run holds the trajectories that were done; later ones have no rows.
+int run_many(const SimulateArguments& a, const Study& study, const std::vector<double>& times) {
+  const std::uint64_t count = study.sampling.starts;
+  const double rows = static_cast<double>(count) * static_cast<double>(times.size());
+  if (rows > most_output_rows)
+    throw InputError(
+        "--starts", "", *a.starts,
+        fmt::format("makes {:.0f} rows at {} times; must make at most {:.0f}", rows, times.size(), most_output_rows));
+  RunOptions options;
+  options.stop = &stop_flag();
+  const Trajectories all = simulate(study, drawn_starts(study), times, options);
+  put_or_write(a.output, all, study);
+  say_conventions(study);
+  const auto whole = static_cast<std::size_t>(
+      std::count_if(all.runs.begin(), all.runs.end(), [&](const Trajectory& r) { return r.t.size() == times.size(); }));
+  const auto lost = static_cast<std::size_t>(std::count_if(
+      all.runs.begin(), all.runs.end(), [](const Trajectory& r) { return r.status != IntegrationStatus::done; }));
+  if (all.stopped) {
+    say("stopped with {} of {} trajectories whole; the rows so far are kept", whole, count);
+    return ended_early(WorkLeft{whole, count, "trajectories"}, nullptr, "");
+  }
+  if (lost > 0)
+    say("{} of {} trajectories diverged or could not be integrated further; their rows so far are kept", lost, count);
+  return lost == count ? failed : done;
+}
+
+int run_simulate(const SimulateArguments& a) {
+  begin_time(a.within);
+  std::vector<std::string> overrides = overrides_of(a);
+  if (a.tolerance)
+    overrides.push_back(
+        fmt::format("numerics.tolerance={}",
+                    option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
+  if (a.seed && !a.starts) throw InputError("--seed", "", *a.seed, "needs --starts");
+  const Study study = at_medians(read_study(a.study, overrides));
+  const std::vector<double> times = output_times(a, study);
+  if (!a.output.empty() && !a.output.ends_with(".csv") && !a.output.ends_with(".nc"))
+    throw InputError("--output", "", a.output, "must be a file name ending in .csv or .nc");
+  require_writable("--output", a.output);
+
+  return a.starts ? run_many(a, study, times) : run_one(a, study, times);
+}
+
 }  // namespace
 
 Command add_simulate(CLI::App& app) {
@@ -114,6 +156,7 @@ Command add_simulate(CLI::App& app) {
       ->type_name("T,T,...");
   app.add_option("--every", a->every, "time between rows, in 1/omega_c or with units")->type_name("DT");
   app.add_option("--until", a->until, "last time, in 1/omega_c or with units")->type_name("T");
+  add_starts(app, *a, "follow this many starts, those of basin, in place of [initial]", "seed of the starts");
   app.add_option("--tolerance", a->tolerance, "relative error allowed per step (default 1e-12)")->type_name("E");
   app.add_option("-o,--output", a->output, "write to this file (.csv or .nc) instead of CSV to standard output")
       ->type_name("FILE");

@@ -33,7 +33,7 @@ from .stability_planes import StabilityResult, stability
 from .state import State
 from .study import Study, paper_studies, paper_study
 from .sweeps import SweepResult, sweep
-from .trajectory import Trajectory, simulate
+from .trajectory import Trajectories, Trajectory, simulate
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -44,7 +44,7 @@ __all__ = [
     "Attractor", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
     "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
     "Interrupted", "MapResult", "Mapper", "Matching", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
-    "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
+    "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectories", "Trajectory", "UndecidedWarning", "attractors", "basin",
     "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
     "machines", "match", "match_along", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
     "reproducible", "simulate", "stability", "sweep",

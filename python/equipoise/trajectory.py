@@ -1,20 +1,21 @@
-"""One trajectory."""
+"""Trajectories: one, or those of many starts."""
 
 from __future__ import annotations
 
 import os
 from html import escape
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._arguments import Array, checked_study, numbers, real, refuse
-from ._call import WithinArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import definition_table
+from .ensembles import with_starts
 from .results import optional
-from .state import State
+from .state import Frame, State, StateLike, starts_of
 from .study import Study, is_quantity
 
 if TYPE_CHECKING:
@@ -24,7 +25,90 @@ if TYPE_CHECKING:
 _COLUMNS = _core.trajectory_columns()
 
 
-class Trajectory:
+class _Runs:
+    """What one trajectory and many have in common: their columns, over times and, of many, starts."""
+
+    t: Array
+    psi: Array
+    psi_dot: Array
+    x: Array
+    y: Array
+    x_dot: Array
+    y_dot: Array
+    tilt_x: Array
+    tilt_y: Array
+    tilt_x_dot: Array
+    tilt_y_dot: Array
+    phi: Array
+    phi_dot: Array
+    radial: Array
+    bearing_x: Array
+    bearing_y: Array
+    bearing_radial: Array
+    bearing_force: Array
+    _along: tuple[str, ...] = ("t",)
+
+    def __init__(self, core: Any, study: Study) -> None:
+        self.study = study
+        self._core = core
+        columns = core.columns()
+        self._names = list(columns)
+        for name, values in columns.items():
+            setattr(self, name, values)
+
+    @property
+    def X(self) -> Array:
+        """Centre of the race in the room's axes, horizontal, in R; shaped as ``x``."""
+        return np.cos(self.psi) * self.x - np.sin(self.psi) * self.y
+
+    @property
+    def Y(self) -> Array:
+        """Centre of the race in the room's axes, vertical, in R; shaped as ``y``."""
+        return np.sin(self.psi) * self.x + np.cos(self.psi) * self.y
+
+    @property
+    def states(self) -> State:
+        return State(
+            x=self.x, y=self.y, x_dot=self.x_dot, y_dot=self.y_dot, phi=self.phi, phi_dot=self.phi_dot, psi=self.psi,
+            psi_dot=self.psi_dot,
+        )
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset over t, and over start if there are many; every variable has units and long_name."""
+        places = {"bearing_radial": "bearing", "bearing_force": "bearing"}
+        data = {
+            name: ((*self._along, places.get(name, "ball"))[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
+            for name in self._names if name != "t"
+        }
+        coordinates: dict[str, Any] = {"t": ("t", self.t, _COLUMNS["t"]), "ball": np.arange(1, self.phi.shape[-1] + 1)}
+        if len(self._along) > 1:
+            coordinates["start"] = np.arange(len(self.phi))
+        if "bearing_radial" in self._names:
+            coordinates["bearing"] = np.arange(1, self.bearing_radial.shape[-1] + 1)
+        return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A table with a row per time, indexed by t (of many by start and t): the columns of the program's CSV."""
+        pandas = optional("pandas")
+        columns: dict[str, Array] = {}
+        for name in self._names:
+            values = getattr(self, name)
+            if name == "t":
+                continue
+            if values.ndim == len(self._along):
+                columns[name] = values.ravel()
+            else:
+                columns.update({f"{name}_{i + 1}": values[..., i].ravel() for i in range(values.shape[-1])})
+        starts = [np.arange(len(self.phi))] if len(self._along) > 1 else []
+        return pandas.DataFrame(columns, pandas.MultiIndex.from_product([*starts, self.t], names=self._along)
+                                if starts else pandas.Index(self.t, name="t"))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""
+        self._core.save(os.fspath(path))
+
+
+class Trajectory(_Runs):
     """One run of a study, dimensionless (length R, time 1/omega_c, mass M).
 
     Attributes
@@ -55,49 +139,11 @@ class Trajectory:
     study : Study
     """
 
-    t: Array
-    psi: Array
-    psi_dot: Array
-    x: Array
-    y: Array
-    x_dot: Array
-    y_dot: Array
-    tilt_x: Array
-    tilt_y: Array
-    tilt_x_dot: Array
-    tilt_y_dot: Array
-    phi: Array
-    phi_dot: Array
-    radial: Array
-    bearing_x: Array
-    bearing_y: Array
-    bearing_radial: Array
-    bearing_force: Array
     status: str
 
-    def __init__(self, columns: dict[str, Any], study: Study) -> None:
-        self.study = study
-        self.status = columns["status"]
-        self._names = [name for name in _COLUMNS if name in columns]
-        for name in self._names:
-            setattr(self, name, columns[name])
-
-    @property
-    def X(self) -> Array:
-        """Centre of the race in the room's axes, horizontal, in R: ndarray (n,)."""
-        return np.cos(self.psi) * self.x - np.sin(self.psi) * self.y
-
-    @property
-    def Y(self) -> Array:
-        """Centre of the race in the room's axes, vertical, in R: ndarray (n,)."""
-        return np.sin(self.psi) * self.x + np.cos(self.psi) * self.y
-
-    @property
-    def states(self) -> State:
-        return State(
-            x=self.x, y=self.y, x_dot=self.x_dot, y_dot=self.y_dot, phi=self.phi, phi_dot=self.phi_dot, psi=self.psi,
-            psi_dot=self.psi_dot,
-        )
+    def __init__(self, core: Any, study: Study) -> None:
+        super().__init__(core, study)
+        (self.status,) = core.statuses
 
     def __len__(self) -> int:
         return len(self.t)
@@ -119,32 +165,46 @@ class Trajectory:
             ]
         return f"<b>Trajectory of {escape(self.study.name)}</b>" + definition_table(rows)
 
-    def to_xarray(self) -> xarray.Dataset:
-        """A dataset with coordinate t; every variable has units and long_name."""
-        places = {"bearing_radial": "bearing", "bearing_force": "bearing"}
-        data = {
-            name: (("t", places.get(name, "ball"))[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
-            for name in self._names
-        }
-        coordinates = {"ball": np.arange(1, self.phi.shape[1] + 1)}
-        if "bearing_radial" in self._names:
-            coordinates["bearing"] = np.arange(1, self.bearing_radial.shape[1] + 1)
-        return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """A table with one row per time, indexed by t: the columns of the program's CSV."""
-        columns: dict[str, Array] = {}
-        for name in self._names:
-            values = getattr(self, name)
-            if values.ndim == 1:
-                columns[name] = values
-            else:
-                columns.update({f"{name}_{i + 1}": values[:, i] for i in range(values.shape[1])})
-        return optional("pandas").DataFrame(columns).set_index("t")
+class Trajectories(_Runs):
+    """The runs of many starts of a study at the same times, dimensionless (length R, time 1/omega_c, mass M).
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""
-        _core.save_trajectory({name: getattr(self, name) for name in self._names}, self.study._core, os.fspath(path))
+    Attributes
+    ----------
+    t : ndarray (n,)
+        Times, in 1/omega_c.
+    psi, psi_dot, x, y, x_dot, y_dot, radial, bearing_x, bearing_y : ndarray (starts, n)
+        As of :class:`Trajectory`, a row per start; not-a-number after a run was lost.
+    phi, phi_dot : ndarray (starts, n, balls)
+        Ball angles in the rotating frame (rad, unwrapped) and their rates.
+    status : list of str
+        Of every run: "done", "diverged", "failed" or "stopped".
+    states : State (starts, n)
+        The same as states.
+    study : Study
+    """
+
+    status: list[str]
+    _along = ("start", "t")
+
+    def __init__(self, core: Any, study: Study) -> None:
+        super().__init__(core, study)
+        self.status = core.statuses
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def __repr__(self) -> str:
+        whole = self.status.count("done")
+        ends = f", t = {self.t[0]:g} to {self.t[-1]:g}" if len(self.t) else ""
+        return f"<Trajectories of {self.study.name}: {len(self)} starts ({whole} done), {len(self.t)} times{ends}>"
+
+    def _repr_html_(self) -> str:
+        counts = {status: self.status.count(status) for status in dict.fromkeys(self.status)}
+        rows: list[tuple[str, Any]] = [("starts", len(self)), *counts.items(), ("times", len(self.t))]
+        if len(self.t):
+            rows.append(("t", f"{self.t[0]:g} to {self.t[-1]:g}"))
+        return f"<b>Trajectories of {escape(self.study.name)}</b>" + definition_table(rows)
 
 
 def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional[float]]:
@@ -165,40 +225,92 @@ def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional
     return array.tolist(), None
 
 
+@overload
 def simulate(
-    study: Study, t: Optional[npt.ArrayLike] = None, *, every: Optional[float] = None, progress: Any = False,
+    study: Study, t: Optional[npt.ArrayLike] = None, *, every: Optional[float] = None, initial: None = None,
+    frame: None = None, starts: None = None, seed: None = None, threads: int = 0, cpu: Optional[str] = None,
+    progress: ProgressArgument = False, within: WithinArgument = None,
+) -> Trajectory: ...
+@overload
+def simulate(
+    study: Study, t: Optional[npt.ArrayLike] = None, *, every: Optional[float] = None,
+    initial: Optional[StateLike] = None, frame: Optional[Frame] = None, starts: Optional[int] = None,
+    seed: Optional[int] = None, threads: int = 0, cpu: Optional[str] = None, progress: ProgressArgument = False,
     within: WithinArgument = None,
-) -> Trajectory:
-    """Integrate a study from its initial state.
+) -> Trajectory | Trajectories: ...
+def simulate(
+    study: Study, t: Optional[npt.ArrayLike] = None, *, every: Optional[float] = None,
+    initial: Optional[StateLike] = None, frame: Optional[Frame] = None, starts: Optional[int] = None,
+    seed: Optional[int] = None, threads: int = 0, cpu: Optional[str] = None, progress: ProgressArgument = False,
+    within: WithinArgument = None,
+) -> Trajectory | Trajectories:
+    """Integrate a study from its initial state, or from many.
 
     Parameters
     ----------
     study : Study
         With uncertain values: at their medians.
     t : array_like (n,), float or None
-        Times in 1/omega_c (of a study in physical units also pint quantities), rising, from 0 on; a single number: from 0 until then; None: until 100 after the last
-        branch of the speed begins and the balls are free.
+        Times in 1/omega_c (of a study in physical units also pint quantities), rising, from 0 on; a single number: from
+        0 until then; None: until 100 after the last branch of the speed begins and the balls are free.
     every : float, optional
         Time between rows, where `t` is no array; default: a hundredth of the whole.
+    initial : State, or array_like (starts, balls) or (starts, 4 + 2 balls), optional
+        Many starts, or with a State of shape () one: as for :func:`basin`. Default: the study's [initial].
+    frame : {"rotating", "inertial"}, optional
+        What the velocities of such rows are: x_dot and y_dot, or u and v.
+    starts, seed : int, optional
+        Starts 0 .. starts - 1 of the study, those of :func:`basin`, in place of `initial`.
+    threads : int
+        0: all cores. No result depends on it. One run takes one thread.
+    cpu : str, optional
+        Instruction set, one of ``cpu_targets()``; of many runs only.
     progress, within
         As for :func:`basin`; of a run whose time was over the rows until then come back.
+
+    Returns
+    -------
+    Trajectory
+        Of one start.
+    Trajectories
+        Of many: arrays (starts, n).
 
     Raises
     ------
     StudyError
-        For times out of order, and studies that are none.
+        For times out of order, unusable starts, and invalid studies.
+    Interrupted
+        After Ctrl-C; its ``.result`` holds the rows so far.
 
     Notes
     -----
-    Equations (1) to (7) of docs/explanation/equations.md; an eighth-order Runge-Kutta method with dense output, each step to
+    Equations (1) to (7) of docs/explanation/equations.md; an eighth-order Runge-Kutta method, each step to
     ``numerics.tolerance`` (default 1e-12; of :func:`basin`, :func:`map` and :class:`Mapper` 1e-6). Next to a border of basins
     the tolerance decides: one start in a hundred or so ends elsewhere here than there. With one
-    ``numerics.tolerance`` for both they agree more often.
+    ``numerics.tolerance`` for both they agree more often. Many starts of a rotor at a prescribed speed whose balls
+    neither touch nor stick are followed on SIMD lanes, others one by one on all threads.
+
+    Examples
+    --------
+    >>> study = eq.paper_study("table-2-omega-2.4")
+    >>> runs = eq.simulate(study, [0.0, 50.0, 400.0], starts=100, seed=1)
+    >>> runs.radial.shape
+    (100, 3)
     """
     times, until = _output_times(checked_study(study), t)
     if times is not None and every is not None:
         refuse("every", every, "left out", "t gives all times")
     between = None if every is None else real("every", every, 0.0, 1e9, "a number greater than 0, at most 1e9")
-    with settings(0, progress, None, within) as how:
-        columns = _core.simulate(study._core, times, until, between, how)
-    return unless_interrupted(Trajectory(columns, study), columns["interrupted"])
+    asked = with_starts(study, starts, seed, None)
+    if seed is not None and starts is None:
+        refuse("seed", seed, "left out", "it needs starts")
+    if initial is not None and starts is not None:
+        refuse("starts", starts, "left out", "initial gives the starts, all of which are followed")
+    rows = None if initial is None else starts_of("initial", initial, frame, asked)
+    one = isinstance(initial, State) and initial.phi.ndim == 1
+    if rows is not None and rows.ndim == 2 and not len(rows):
+        refuse("initial", rows, "one start or more")
+    with settings(threads, progress, cpu, within) as how:
+        core = _core.simulate(asked._core, times, until, between, rows, starts is not None, one, how)
+    many = not one and (rows is not None or starts is not None)
+    return unless_interrupted(Trajectories(core, asked) if many else Trajectory(core, asked), core.interrupted)

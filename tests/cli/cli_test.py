@@ -80,7 +80,7 @@ class Uncertain(Case):
     def test_other_commands_take_medians_and_say_so(self):
         done = run("explain", ROW, *self.DRAWS)
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(done.stderr, "equipoise: samples nothing; uncertain values are at their medians: "
+        self.assertEqual(done.stderr, "equipoise: uncertain values are at their medians: "
                                       "rotor.eccentricity = 0.01\n")
 
 
@@ -217,6 +217,25 @@ class Simulate(Case):
             done = run("simulate", ROW, "--at", "1,2", "-o", path)
             self.assertEqual((done.returncode, done.stdout), (0, ""))
             self.assertGreater(os.path.getsize(path), 100)
+
+    def test_many_starts_are_those_of_basin_each_as_it_runs_alone(self):
+        times = ["--at", "0,5,30"]
+        done = run("simulate", ROW, *times, "--starts", "3", "--seed", "4")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines()[0], "start," + self.COLUMNS)
+        rows = list(csv.DictReader(io.StringIO(done.stdout)))
+        self.assertEqual([(int(r["start"]), float(r["t"])) for r in rows], [(i, t) for i in range(3) for t in (0, 5, 30)])
+        phi = [float(rows[3][f"phi_{i}"]) for i in (1, 2)]
+        for many, alone in zip(rows[3:6], self.rows(ROW, *times, "--set", f"initial.phi={phi}")):
+            for name, value in alone.items():
+                self.assertAlmostEqual(float(many[name]), value, delta=1e-9)
+        path = self.path("many.nc")
+        self.assertEqual(run("simulate", ROW, *times, "--starts", "3", "-o", path).returncode, 0)
+        held = run("inspect", path).stdout
+        self.assertIn("trajectories, ", held)
+        self.assertRegex(held, r"start +3\n")
+        self.refused("simulate", ROW, *times, "--seed", "4", words=["--seed = 4: needs --starts"])
+        self.refused("simulate", ROW, "--starts", "1000000", "--every", "1", "--until", "1000", words=["--starts = 1000000: makes 1001000000 rows"])
 
 
 class Errors(Case):

@@ -34,11 +34,11 @@ void check_settings(const Study& study, const ObservationSettings& s) {
 // Follows starts at places place .. place + count - 1 of the tables. False if stopped early.
 bool follow(const Study& study, const StartSource& source, std::uint64_t first, std::size_t place, std::size_t count,
             Observation& result) {
-  const std::size_t n = static_cast<std::size_t>(study.parameters.balls);
-  std::vector<double> phi(count * n), states;
+  std::vector<InitialState> starts(count, study.initial);
   for (std::size_t i = 0; i < count; ++i)
-    start_angles(study.sampling.seed, first + place + i, study.parameters.balls, &phi[i * n]);
-  source.release(phi, states);
+    start_angles(study.sampling.seed, first + place + i, study.parameters.balls, starts[i].phi.data());
+  std::vector<double> states;
+  source.release(starts, states);
   const std::size_t at = place * result.windows;
   const RadiusWindows record{result.window,
                              result.windows,

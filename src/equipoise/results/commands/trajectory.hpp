@@ -30,6 +30,13 @@ struct Trajectory {
   std::vector<std::vector<double>> bearing_force;
 };
 
+/// Trajectories from many starts at the same times.
+struct Trajectories {
+  std::vector<double> times;
+  std::vector<Trajectory> runs;  ///< in the order of the starts; of one that is lost on the way, rows end there
+  bool stopped = false;          ///< ended early: some runs stop on the way or have no rows
+};
+
 /// One array of them, or one per ball, or one per bearing. Those of a tilt are left out if the rotor does not tilt, and
 /// those of bearings if the study states none, or not each one's springs.
 struct TrajectoryColumn : Column {

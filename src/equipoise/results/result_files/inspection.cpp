@@ -34,7 +34,7 @@ void add_question(const io::IdentityLines& identity, Inspection& i) {
 
 std::string kind_of(const io::NetcdfFile& file) {
   if (std::string kind = file.attribute("kind"); !kind.empty()) return kind;
-  if (file.length("start") > 0) return "basin";
+  if (file.length("start") > 0) return file.length("t") > 0 ? "trajectories" : "basin";
   if (file.length("x") > 0 && file.length("y") > 0) return "map";
   if (!file.attribute("parameter").empty()) return "branches";
   return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";

@@ -1,8 +1,9 @@
-// Trajectories as CSV and NetCDF.
+// Trajectories as CSV and NetCDF: one, or many along a dimension of starts.
 #include "equipoise/results/result_files/trajectory_file.hpp"
 
 #include <iterator>
-#include <utility>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,44 +12,98 @@
 
 namespace equipoise {
 
-std::string trajectory_csv(const Trajectory& r, const Study& study) {
+namespace {
+
+// Visits the columns of a run: those of one number, then the number of each ball or bearing.
+template <class One, class Each>
+void visit_columns(const Trajectory& run, const One& one, const Each& of_each) {
+  for (const TrajectoryColumn& c : trajectory_columns) {
+    if (c.values && c.is_in(run)) one(c);
+    for (std::size_t i = 0; c.each && i < (run.*c.each).size(); ++i) of_each(c, i);
+  }
+}
+
+std::string titles(const Trajectory& run, const Study& study) {
   std::string text;
-  const auto append = [&text]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Parts>(parts)...);
-  };
-  const auto cells = [&](const auto& one, const auto& of_each) {
-    for (const TrajectoryColumn& c : trajectory_columns) {
-      if (c.values && c.is_in(r)) one(c);
-      for (std::size_t i = 0; c.each && i < (r.*c.each).size(); ++i) of_each(c, i);
+  visit_columns(
+      run, [&](const auto& c) { text += csv_title(c, study) + ","; },
+      [&](TrajectoryColumn c, std::size_t i) {
+        const std::string name = fmt::format("{}_{}", c.name, i + 1);
+        c.name = name.c_str();
+        text += csv_title(c, study) + ",";
+      });
+  text.back() = '\n';  // instead of the last comma
+  return text;
+}
+
+// `before`: begins every row.
+void append_rows(std::string& text, const Trajectory& run, const std::string& before) {
+  const auto append = [&text](double value) { fmt::format_to(std::back_inserter(text), "{},", value); };
+  for (std::size_t k = 0; k < run.t.size(); ++k) {
+    text += before;
+    visit_columns(
+        run, [&](const auto& c) { append((run.*c.values)[k]); },
+        [&](const auto& c, std::size_t i) { append((run.*c.each)[i][k]); });
+    text.back() = '\n';
+  }
+}
+
+// `many`: along a dimension of starts.
+void write(const std::string& path, std::span<const Trajectory> runs, const std::vector<double>& times, bool many,
+           const std::string& study) {
+  Dataset data(many ? "Trajectories of a rotor with an automatic ball balancer"
+                    : "Trajectory of a rotor with an automatic ball balancer");
+  const Trajectory none;
+  const Trajectory& first = runs.empty() ? none : runs.front();
+  std::vector<std::size_t> along;
+  if (many) along.push_back(data.dimension("start", runs.size()));
+  const std::size_t time = data.dimension("t", times.size()), ball = data.dimension("ball", first.phi.size());
+  const std::size_t bearing =
+      first.bearing_radial.empty() ? ball : data.dimension("bearing", first.bearing_radial.size());
+  along.push_back(time);
+  const std::size_t rows = times.size();
+  for (const TrajectoryColumn& c : trajectory_columns) {
+    if (!c.is_in(first)) continue;
+    if (c.values == &Trajectory::t) {
+      data.add(c, {time}, [&times](std::size_t k) { return times[k]; });
+    } else if (c.values) {
+      data.add(c, along, [runs, rows, values = c.values](std::size_t k) {
+        const std::vector<double>& of_run = runs[k / rows].*values;
+        return k % rows < of_run.size() ? of_run[k % rows] : no_number;
+      });
+    } else {
+      std::vector<std::size_t> of_each = along;
+      of_each.push_back(c.of == TrajectoryColumn::Of::bearing ? bearing : ball);
+      data.add(c, of_each, [runs, rows, each = c.each, count = (first.*c.each).size()](std::size_t k) {
+        const std::vector<double>& one = (runs[k / count / rows].*each)[k % count];
+        return k / count % rows < one.size() ? one[k / count % rows] : no_number;
+      });
     }
-    text.back() = '\n';  // instead of the last comma
-  };
-  cells([&](const auto& c) { append("{},", csv_title(c, study)); },
-        [&](TrajectoryColumn c, std::size_t i) {
-          const std::string name = fmt::format("{}_{}", c.name, i + 1);
-          c.name = name.c_str();
-          append("{},", csv_title(c, study));
-        });
-  for (std::size_t k = 0; k < r.t.size(); ++k)
-    cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
-          [&](const auto& c, std::size_t i) { append("{},", (r.*c.each)[i][k]); });
+  }
+  data.say("study", study);
+  io::write_netcdf_file(path, data);
+}
+
+}  // namespace
+
+std::string trajectory_csv(const Trajectory& r, const Study& study) {
+  std::string text = titles(r, study);
+  append_rows(text, r, "");
+  return text;
+}
+
+std::string trajectory_csv(const Trajectories& r, const Study& study) {
+  std::string text = r.runs.empty() ? "" : "start," + titles(r.runs.front(), study);
+  for (std::size_t i = 0; i < r.runs.size(); ++i) append_rows(text, r.runs[i], fmt::format("{},", i));
   return text;
 }
 
 void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {
-  Dataset data("Trajectory of a rotor with an automatic ball balancer");
-  const std::size_t time = data.dimension("t", r.t.size()), ball = data.dimension("ball", r.phi.size());
-  const std::size_t bearing = r.bearing_radial.empty() ? ball : data.dimension("bearing", r.bearing_radial.size());
-  for (const TrajectoryColumn& c : trajectory_columns) {
-    if (!c.is_in(r)) continue;
-    if (c.values)
-      data.add(c, {time}, [&values = r.*c.values](std::size_t k) { return values[k]; });
-    else
-      data.add(c, {time, c.of == TrajectoryColumn::Of::bearing ? bearing : ball},
-               [&each = r.*c.each](std::size_t k) { return each[k % each.size()][k / each.size()]; });
-  }
-  data.say("study", study);
-  io::write_netcdf_file(path, data);
+  write(path, {&r, 1}, r.t, false, study);
+}
+
+void write_netcdf(const std::string& path, const Trajectories& r, const std::string& study) {
+  write(path, r.runs, r.times, true, study);
 }
 
 }  // namespace equipoise

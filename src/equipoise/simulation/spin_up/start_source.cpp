@@ -183,15 +183,9 @@ BatchTask StartSource::last_task() const {
   return task(segments_.size() - 1, none);
 }
 
-void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
-  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
-  const std::size_t size = this->size();
-  states.assign(count * size, 0.0);
-  InitialState start = study_.initial;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::copy(&phi[i * n], &phi[i * n] + n, start.phi.begin());
-    place(start, &states[i * size]);
-  }
+void StartSource::release(std::span<const InitialState> given, std::vector<double>& states) const {
+  states.assign(given.size() * size(), 0.0);
+  for (std::size_t i = 0; i < given.size(); ++i) place(given[i], &states[i * size()]);
 }
 
 BatchTask StartSource::task(std::size_t k, std::vector<double>& states) const {

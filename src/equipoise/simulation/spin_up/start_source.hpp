@@ -30,8 +30,8 @@ class StartSource : public SpinUp {
   void watch(const TransientSettings& settings) override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
 
-  /// The states, row-major, in which balls at these angles are released.
-  void release(const std::vector<double>& phi, std::vector<double>& states) const;
+  /// The states, row-major, in which the balls of these starts are released.
+  void release(std::span<const InitialState> given, std::vector<double>& states) const;
   /// An ensemble's task over the whole of free segment `k`.
   BatchTask task(std::size_t k, std::vector<double>& states) const;
   BatchTask last_task() const override;

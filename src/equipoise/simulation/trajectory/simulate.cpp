@@ -86,17 +86,6 @@ class AnyMachine {
 
 namespace {
 
-void check_times(const std::vector<double>& times) {
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || times[i] < 0.0)
-      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       "must be a finite number, 0 or more");
-    if (i > 0 && !(times[i] > times[i - 1]))
-      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
-  }
-}
-
 void record(Trajectory& out, const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
   record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
 }
@@ -235,9 +224,20 @@ Trajectory followed(const Task& task) {
 
 }  // namespace
 
+void check_output_times(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || times[i] < 0.0)
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       "must be a finite number, 0 or more");
+    if (i > 0 && !(times[i] > times[i - 1]))
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
+  }
+}
+
 Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options) {
   check(study);
-  check_times(times);
+  check_output_times(times);
   return reported(options, [&](const RunOptions& o) {
     RowCount rows(o, times.size());
     Trajectory out =

@@ -13,6 +13,9 @@
 
 namespace equipoise {
 
+/// Throws InputError unless these are finite, increasing and >= 0.
+void check_output_times(const std::vector<double>& times);
+
 /// Samples `study` by dense output at `times` (increasing, >= 0). The tolerance is study.numerics.tolerance, else
 /// default_simulate_tolerance, per step, relative to each variable's size. Progress is in rows. One thread does
 /// everything; no CPU target is chosen. Throws InputError for times out of order or an invalid study.
