@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "equipoise/analyses/sweeps/capacity.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"

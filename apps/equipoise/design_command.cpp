@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/design/design.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"

@@ -14,7 +14,7 @@
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"

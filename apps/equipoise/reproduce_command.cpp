@@ -13,7 +13,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"

@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/one_study/trajectories.hpp"
-#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/text/text.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "options.hpp"

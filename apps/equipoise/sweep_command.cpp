@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"

@@ -13,7 +13,6 @@
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
 #include "equipoise/core/running/deadline.hpp"
 #include "equipoise/core/running/run_options.hpp"
-#include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/study.hpp"

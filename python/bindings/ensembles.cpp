@@ -14,7 +14,7 @@
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/statistics/share.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

@@ -5,7 +5,6 @@
 
 #include "bindings.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/paper.hpp"
 #include "equipoise/report/drawing/document.hpp"
 #include "equipoise/report/text/table_text.hpp"

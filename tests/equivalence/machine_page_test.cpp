@@ -10,7 +10,7 @@
 #include "../support/studies.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"

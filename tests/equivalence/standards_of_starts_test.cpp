@@ -53,6 +53,9 @@ BasinResult run(const std::string& text, const std::vector<std::string>& overrid
   return basin(parse_study(text, "machine", overrides), options);
 }
 
+// As the program's JSON has it.
+Json standards_of(const BasinResult& r) { return judged_by_standards(r); }
+
 TEST(StandardsOfStarts, SharesAreThoseCountedStartByStart) {
   const BasinResult r = run(machine);
   const auto& columns = r.every_start->transients;
@@ -65,7 +68,7 @@ TEST(StandardsOfStarts, SharesAreThoseCountedStartByStart) {
       within[k] += velocity / std::sqrt(2.0) <= standards::severity_classes[1].boundaries[k];
     slides += columns[figure_place(&TransientRow::peak_force)][i] * r.study.scales->force() > 0.4 * 9.0 * 9.80665;
   }
-  const auto json = standards_json(r);
+  const auto json = standards_of(r);
   EXPECT_EQ(json["severity"]["within"]["A"]["count"], within[0]);
   EXPECT_EQ(json["severity"]["within"]["B"]["count"], within[1]);
   EXPECT_EQ(json["severity"]["within"]["C"]["count"], within[2]);
@@ -81,7 +84,7 @@ TEST(StandardsOfStarts, ExposureIsThatOfTheCirclesAcceleration) {
   const double radius = bare.figure(&TransientRow::peak_radial_at_end).quantiles[0].value * r.study.scales->length;
   const double speed = r.study.speed.speed * r.study.scales->frequency;
   const double expected = standards::hand_arm_weighting(speed / two_pi) * radius * speed * speed;
-  const double told = standards_json(r)["hand_arm"]["without_balls"]["acceleration"];
+  const double told = standards_of(r)["hand_arm"]["without_balls"]["acceleration"];
   EXPECT_NEAR(told, expected, 1e-5 * expected);
 }
 
@@ -116,18 +119,18 @@ TEST(StandardsOfStarts, SeverityIsOfTheDirectionThatHasMore) {
     EXPECT_NEAR(figure(r, &TransientRow::rms_force) * r.study.scales->force(), std::hypot(dynamic, held),
                 1e-4 * (dynamic + held));
     const auto zone = standards::zone_of(standards::severity_classes[1], 1000.0 * one);
-    EXPECT_EQ(standards_json(r)["severity"]["without_balls"], standards::zone_names[static_cast<std::size_t>(zone)]);
+    EXPECT_EQ(standards_of(r)["severity"]["without_balls"], standards::zone_names[static_cast<std::size_t>(zone)]);
   }
 }
 
 // U_per = G M/omega.
 TEST(StandardsOfStarts, PermissibleUnbalanceIsThatOfTheGrade) {
   const double omega = 1150.0 * two_pi / 60.0;
-  const auto told = standards_json(run(machine, {"limits.grade=6.3 mm/s"}))["permissible_unbalance"];
+  const auto told = standards_of(run(machine, {"limits.grade=6.3 mm/s"}))["permissible_unbalance"];
   EXPECT_DOUBLE_EQ(told["grade"].get<double>(), 6.3);
   EXPECT_NEAR(told["unbalance"], 6.3e-3 * 4.0 / omega * 1e6, 1e-9);
   const BasinResult r = run(machine);
-  const auto met = standards_json(r);
+  const auto met = standards_of(r);
   EXPECT_GE(met["permissible_unbalance"]["unbalance"], met["permissible_unbalance"]["left"]);
   EXPECT_NEAR(met["permissible_unbalance"]["left"].get<double>() * omega / 4.0 * 1e-3,
               met["balance_quality"]["mean"].get<double>(), 1e-6);
@@ -163,15 +166,15 @@ TEST(StandardsOfStarts, LimitsOfTheirFiguresAreCounted) {
 TEST(StandardsOfStarts, SlowRotorsHaveNoZone) {
   const BasinResult r = run(with(machine, "1150 rpm", "590 rpm"));
   EXPECT_TRUE(holds(standards_text(r), "no zone is given"));
-  EXPECT_FALSE(standards_json(r).contains("severity"));
+  EXPECT_FALSE(standards_of(r).contains("severity"));
   EXPECT_FALSE(holds(standards_text(run(machine)), "no zone is given"));
 }
 
 // A rotor alone is judged as the same rotor next to its balls is.
 TEST(StandardsOfStarts, JudgeARotorWithoutBallsToo) {
-  const auto beside = standards_json(run(machine));
+  const auto beside = standards_of(run(machine));
   const BasinResult r = run(machine, {"balancer.balls=0"});
-  const auto alone = standards_json(r);
+  const auto alone = standards_of(r);
   const std::string text = standards_text(r);
   EXPECT_EQ(alone["severity"]["without_balls"], beside["severity"]["without_balls"]);
   EXPECT_EQ(alone["hand_arm"]["without_balls"], beside["hand_arm"]["without_balls"]);
@@ -184,7 +187,7 @@ TEST(StandardsOfStarts, JudgeARotorWithoutBallsToo) {
   // Of an unknown unbalance shares are told.
   const BasinResult drawn = run(machine, {"balancer.balls=0", "rotor.eccentricity={uniform=['0.2 mm', '0.9 mm']}"});
   EXPECT_TRUE(holds(standards_text(drawn), "severity zone")) << standards_text(drawn);
-  EXPECT_TRUE(standards_json(drawn)["hand_arm"].contains("at_most_in_90_percent"));
+  EXPECT_TRUE(standards_of(drawn)["hand_arm"].contains("at_most_in_90_percent"));
 }
 
 TEST(StandardsOfStarts, AreOfMachinesWithUnits) {

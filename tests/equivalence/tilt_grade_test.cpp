@@ -17,7 +17,7 @@
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/report/explain/explain.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"

@@ -13,7 +13,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"

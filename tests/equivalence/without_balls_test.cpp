@@ -241,7 +241,7 @@ TEST(Basin, TellsWhatTheRotorDoesWithoutBalls) {
   BasinOptions two_threads;
   two_threads.threads = 2;
   const BasinResult again = basin(parse_study(limited, "s"), two_threads);
-  EXPECT_EQ(without_balls_json(*again.without_balls, r.study), without_balls_json(*r.without_balls, r.study));
+  EXPECT_EQ(Json(PartOf{*again.without_balls, r.study}), Json(PartOf{*r.without_balls, r.study}));
   EXPECT_TRUE(holds(basin_text(r), "No balls: one run. Balls held where they start: median of 256."));
   const auto json = nlohmann::json::parse(json_text(r))["without_balls"];
   EXPECT_EQ(json["no_balls"]["one_for_all"], true);
@@ -318,9 +318,9 @@ TEST(Basin, AResumedFileHoldsTheSameWithoutBalls) {
   const BasinResult few = basin(parse_study(with(limited, "starts = 600", "starts = 300"), "s"), options);
   const BasinResult more = basin(parse_study(limited, "s"), options);
   EXPECT_EQ(more.resumed_from, 300u);
-  EXPECT_EQ(without_balls_json(*few.without_balls, few.study), without_balls_json(*more.without_balls, more.study));
+  EXPECT_EQ(Json(PartOf{*few.without_balls, few.study}), Json(PartOf{*more.without_balls, more.study}));
   const BasinResult fresh = basin(parse_study(limited, "s"));
-  EXPECT_EQ(without_balls_json(*fresh.without_balls, fresh.study), without_balls_json(*more.without_balls, more.study));
+  EXPECT_EQ(Json(PartOf{*fresh.without_balls, fresh.study}), Json(PartOf{*more.without_balls, more.study}));
 }
 
 }  // namespace without_balls_test

@@ -8,8 +8,8 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/report/drawing/svg.hpp"
-#include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/shown/shown_runs.hpp"
 #include "equipoise/core/statistics/quantile.hpp"
 

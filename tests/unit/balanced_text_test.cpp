@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../support/parameters.hpp"
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/outcome.hpp"
 

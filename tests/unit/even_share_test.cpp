@@ -10,7 +10,7 @@
 #include "equipoise/analyses/ensembles/tally.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/statistics/even_share.hpp"
-#include "equipoise/study/sampling/jittered_grid.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise {
 namespace even_share_test {

@@ -12,7 +12,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"

@@ -10,7 +10,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
-#include "equipoise/report/explain/drag_scan.hpp"
+#include "equipoise/report/explain/parts.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "../support/studies.hpp"

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/study/sampling/jittered_grid.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 #include "equipoise/study/sampling/starts.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -20,7 +21,7 @@
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/results/types/outcome.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -173,7 +174,7 @@ Json judge(const Json& args) {
   }
   Json json = {{"starts", r.starts}, {"verdict", nullptr}, {"changes", nullptr}, {"possible", Json::array()}};
   if (const auto verdict = verdict_of(r, tried)) {
-    json["verdict"] = verdict_json(*verdict, tried);
+    json["verdict"] = PartOf{*verdict, std::span<const TriedChange>(tried)};
     json["verdict"]["tone"] = name_of(tone_of(verdict->decision));
     if (verdict->asks_for_changes())
       for (const Change& change : usual_changes(uncertain)) json["possible"].push_back(change.words);

@@ -16,7 +16,6 @@
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/types/outcome.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
@@ -130,7 +129,7 @@ Json search_attractors(const Json& args, Bulk&) {
   const Catalogue known = mapper.attractors();
   for (const Attractor& a : known.attractors()) {
     Json one = outcome_json({a.id, a.name, a.alias}, study);
-    one.update(motion_json(a, study));
+    one.update(Json(PartOf{a, study}));
     one["stability"] = stability_text(a, study.scales);
     one["path"] = path_json(study, a.motion);
     attractors.push_back(std::move(one));

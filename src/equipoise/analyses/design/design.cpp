@@ -14,7 +14,7 @@
 #include "equipoise/analyses/design/standing.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/core/running/run_info.hpp"
-#include "equipoise/results/cell_files/design_file.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "equipoise/analyses/design/design.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
-#include "equipoise/results/cell_files/design_file.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 
 namespace equipoise {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 
@@ -276,27 +276,6 @@ std::string chart_notes(const BifurcationChart& chart) {
   return text;
 }
 
-Json curve_json(const ChartCurve& c) {
-  Json json = object("kind", curve_kind_names[static_cast<std::size_t>(c.kind)], "of", c.of);
-  for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
-  put(json, "error", c.error);
-  for (const CurveNumber& n : curve_numbers)
-    if (!n.of_cycles || is_of_cycles(c.kind))
-      json[n.name] = list_of(c.points, [&](const CurvePoint& p) {
-        return n.whole ? Json(static_cast<int>(n.value(p))) : Json(n.value(p));
-      });
-  return json;
-}
-
-Json region_json(const BifurcationChart& chart, const ChartRegion& r) {
-  Json locked = Json::object();
-  for (std::size_t k = 0; k < r.locked.size(); ++k)
-    locked[chart.locked[k]] = object("stable", r.locked[k].stable, "unstable", r.locked[k].unstable);
-  return object("states", region_words(chart, r), "balance",
-                balance_kind_names[static_cast<std::size_t>(std::max(0, static_cast<int>(r.balance)))], "locked",
-                locked, "part", r.part, "x", r.x, "y", r.y);
-}
-
 }  // namespace
 
 BalanceLoss balance_loss(const BifurcationChart& chart) {
@@ -333,28 +312,52 @@ Document document_of(const BifurcationChart& chart) {
   return document;
 }
 
+void to_json(Json& json, const ChartCurve& c) {
+  json = object("kind", curve_kind_names[static_cast<std::size_t>(c.kind)], "of", c.of);
+  for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
+  put(json, "error", c.error);
+  for (const CurveNumber& n : curve_numbers)
+    if (!n.of_cycles || is_of_cycles(c.kind))
+      json[n.name] = list_of(c.points, [&](const CurvePoint& p) {
+        return n.whole ? Json(static_cast<int>(n.value(p))) : Json(n.value(p));
+      });
+}
+
+void to_json(Json& json, const SpecialPoint& p) {
+  json = object("kind", special_kind_names[static_cast<std::size_t>(p.kind)], "curve", p.curve, "x", p.x, "y", p.y,
+                "frequency", p.frequency, "second", p.second);
+}
+
+void to_json(Json& json, const ChartRegion::Locked& l) { json = object("stable", l.stable, "unstable", l.unstable); }
+
+void to_json(Json& json, const PartOf<ChartRegion, BifurcationChart>& of) {
+  const auto& [r, chart] = of;
+  Json locked = Json::object();
+  for (std::size_t k = 0; k < r.locked.size(); ++k) locked[chart.locked[k]] = r.locked[k];
+  json = object("states", region_words(chart, r), "balance",
+                balance_kind_names[static_cast<std::size_t>(std::max(0, static_cast<int>(r.balance)))], "locked",
+                locked, "part", r.part, "x", r.x, "y", r.y);
+}
+
+void to_json(Json& json, const ProofBox& b) { json = {b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)}; }
+
+void to_json(Json& json, const BalanceLoss& loss) {
+  json = object("soft", loss.soft, "abrupt", loss.abrupt, "unknown", loss.unknown, "real", loss.real);
+}
+
 std::string json_text(const BifurcationChart& chart) {
   const auto axis = [](const SliceAxis& a) {
     return object("key", a.key, "low", a.low, "high", a.high, "points", a.pixels);
   };
-  const auto special = [](const SpecialPoint& p) {
-    return object("kind", special_kind_names[static_cast<std::size_t>(p.kind)], "curve", p.curve, "x", p.x, "y", p.y,
-                  "frequency", p.frequency, "second", p.second);
-  };
-  const auto region = [&](const ChartRegion& r) { return region_json(chart, r); };
-  const auto box = [](const ProofBox& b) -> Json { return {b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)}; };
-  const BalanceLoss loss = balance_loss(chart);
   Json json = object("x", axis(chart.plane.x), "y", axis(chart.plane.y), "answer", chart_answer(chart), "one_of_many",
                      chart.plane.one_of_many(), "of_several", chart.plane.of_several(), "continuum",
-                     chart.plane.own ? Json(chart.plane.own->continuum) : Json(), "curves",
-                     list_of(chart.curves, curve_json), "specials", list_of(chart.specials, special), "regions",
-                     list_of(chart.regions, region), "region_of", chart.region_of, "loss",
-                     object("soft", loss.soft, "abrupt", loss.abrupt, "unknown", loss.unknown, "real", loss.real),
-                     "proof", nullptr);
+                     chart.plane.own ? Json(chart.plane.own->continuum) : Json(), "curves", chart.curves, "specials",
+                     chart.specials, "regions", PartOf{chart.regions, chart}, "region_of", chart.region_of, "loss",
+                     balance_loss(chart), "proof", nullptr);
   if (!chart.boxes.empty())
-    json["proof"] = object("stable", chart.proved(BalanceKind::stable), "unstable", chart.proved(BalanceKind::unstable),
-                           "none", chart.proved(BalanceKind::none), "open", chart.proved(BalanceKind::open), "boxes",
-                           list_of(chart.boxes, box));
+    json["proof"] =
+        object("stable", chart.proved(BalanceKind::stable), "unstable", chart.proved(BalanceKind::unstable), "none",
+               chart.proved(BalanceKind::none), "open", chart.proved(BalanceKind::open), "boxes", chart.boxes);
   put(json, "partial", !chart.complete);
   add_computed(json, chart.plane);
   return json.dump() + "\n";
@@ -365,14 +368,14 @@ std::string chart_csv(const BifurcationChart& chart) {
       chart.complete ? "" : fmt::format("# equipoise {}: chart, PARTIAL: stopped early\n", version_string);
   const PlaneColumns axes(chart.plane.study, chart.plane.x, chart.plane.y);
   text += "curve,kind,of," + axes.titles;
-  for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_title(curve_numbers[n], chart.plane.study);
+  for (std::size_t n = 2; n < curve_numbers.size(); ++n)
+    text += "," + csv_title(curve_numbers[n], chart.plane.study.scales);
   text += "\n";
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {
       text += fmt::format("{},{},{},{}", k + 1, curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)],
                           chart.curves[k].of, axes.values(p.x, p.y));
-      for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += "," + csv_number(curve_numbers[n].value(p));
-      text += "\n";
+      text += csv_numbers(std::span(curve_numbers).subspan(2), p) + "\n";  // without the place
     }
   return text;
 }

@@ -12,13 +12,11 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
 #include "equipoise/report/text/json.hpp"
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/report/text/csv.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
@@ -116,22 +114,6 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
   return fmt::format("With a {} {} this changes at {}: {}.", way, key_words(key), at, what);
 }
 
-Json own_json(const StabilityPlane& plane) {
-  if (!plane.own) return nullptr;
-  Json json = object("x", plane.own->x, "y", plane.own->y);
-  for (const PointNumber& n : point_numbers) {
-    const double value = n.value(plane.own->point);
-    json[n.name] = n.whole ? Json(static_cast<int>(value)) : Json(value);
-  }
-  const auto boundary = [](const BalanceBoundary& b) {
-    return object("axis", b.along_x ? "x" : "y", "upwards", b.upwards, "change",
-                  boundary_change_names[static_cast<std::size_t>(b.change)], "value", b.value, "frequency",
-                  b.frequency);
-  };
-  put(json, "continuum", plane.own->continuum, "boundaries", list_of(plane.own->boundaries, boundary));
-  return json;
-}
-
 }  // namespace
 
 const char* balance_words(BalanceKind kind) {
@@ -223,14 +205,27 @@ Document document_of(const StabilityPlane& plane) {
   return document;
 }
 
+void to_json(Json& json, const BalanceBoundary& b) {
+  json = object("axis", b.along_x ? "x" : "y", "upwards", b.upwards, "change",
+                boundary_change_names[static_cast<std::size_t>(b.change)], "value", b.value, "frequency", b.frequency);
+}
+
+void to_json(Json& json, const OwnPoint& own) {
+  json = object("x", own.x, "y", own.y);
+  for (const PointNumber& n : point_numbers) {
+    const double value = n.value(own.point);
+    json[n.name] = n.whole ? Json(static_cast<int>(value)) : Json(value);
+  }
+  put(json, "continuum", own.continuum, "boundaries", own.boundaries);
+}
+
 std::string json_text(const StabilityPlane& plane) {
   Json points;
   for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
     points[balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
-  std::string text =
-      object("x", plane.x, "y", plane.y, "answer", stability_answer(plane), "one_of_many", plane.one_of_many(),
-             "of_several", plane.of_several(), "points", points, "own", own_json(plane))
-          .dump();
+  std::string text = object("x", plane.x, "y", plane.y, "answer", stability_answer(plane), "one_of_many",
+                            plane.one_of_many(), "of_several", plane.of_several(), "points", points, "own", plane.own)
+                         .dump();
   text.pop_back();
   for (const PointNumber& n : point_numbers) {
     text += fmt::format(",\"{}\":", n.name);
@@ -249,13 +244,12 @@ std::string stability_csv(const StabilityPlane& plane) {
       plane.complete ? "" : fmt::format("# equipoise {}: stability, PARTIAL: stopped early\n", version_string);
   const PlaneColumns axes(plane.study, plane.x, plane.y);
   text += axes.titles;
-  for (const PointNumber& n : point_numbers) text += "," + csv_title(n, plane.study);
+  for (const PointNumber& n : point_numbers) text += "," + csv_title(n, plane.study.scales);
   text += "\n";
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) {
       text += axes.values(plane.x.centre(column), plane.y.centre(row));
-      for (const PointNumber& n : point_numbers) text += "," + csv_number(n.value(plane.points[plane.at(column, row)]));
-      text += "\n";
+      text += csv_numbers(point_numbers, plane.points[plane.at(column, row)]) + "\n";
     }
   return text;
 }

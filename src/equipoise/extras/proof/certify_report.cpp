@@ -99,18 +99,6 @@ std::string members_text(const CertifyResult& r) {
   return text + "  nothing is proved of members that were not drawn\n";
 }
 
-Json state_json(const StateProof& s, const model::System& system) {
-  const Certificate& c = s.certificate;
-  Json reach, form = Json::array();
-  const std::vector<std::string> names = variable_names(system);
-  for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
-  for (const auto& row : c.form.rowwise()) form.push_back(leading(row, row.size()));
-  return object("proved", c.level > 0.0 && s.check.proved, "reason", s.check.reason, "phi",
-                leading(c.phi, system.balls()), "copies", s.copies, "level", c.level, "critical_level", s.critical,
-                "share_of_critical", c.level / s.critical, "reach", reach, "form", form, "boxes", c.boxes.size(),
-                "seconds", s.seconds, "check_seconds", s.check_seconds);
-}
-
 }  // namespace
 
 std::string certify_text(const CertifyResult& r, const TextStyle& style) {
@@ -126,17 +114,31 @@ std::string certify_text(const CertifyResult& r, const TextStyle& style) {
                       style);
 }
 
+void to_json(Json& json, const PartOf<StateProof, model::System>& of) {
+  const auto& [s, system] = of;
+  const Certificate& c = s.certificate;
+  Json reach, form = Json::array();
+  const std::vector<std::string> names = variable_names(system);
+  for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
+  for (const auto& row : c.form.rowwise()) form.push_back(leading(row, row.size()));
+  json = object("proved", c.level > 0.0 && s.check.proved, "reason", s.check.reason, "phi",
+                leading(c.phi, system.balls()), "copies", s.copies, "level", c.level, "critical_level", s.critical,
+                "share_of_critical", c.level / s.critical, "reach", reach, "form", form, "boxes", c.boxes.size(),
+                "seconds", s.seconds, "check_seconds", s.check_seconds);
+}
+
+void to_json(Json& json, const PartOf<MemberProof, model::System>& of) {
+  const auto& [m, system] = of;
+  const MemberCertificate& c = m.certificate;
+  json = object("proved", m.check.proved, "reason", m.check.reason, "attracts", c.attracts, "phi",
+                leading(c.phi, system.balls()), "radius", c.radius, "level", c.level, "growth_rate", m.growth);
+}
+
 std::string json_text(const CertifyResult& r) {
   const model::System system = r.study.system();
-  const auto state = [&](const StateProof& s) { return state_json(s, system); };
-  const auto member = [&](const MemberProof& m) {
-    const MemberCertificate& c = m.certificate;
-    return object("proved", m.check.proved, "reason", m.check.reason, "attracts", c.attracts, "phi",
-                  leading(c.phi, system.balls()), "radius", c.radius, "level", c.level, "growth_rate", m.growth);
-  };
   Json json = object("proved", r.proved(), "partial", r.partial, "note", r.note, "speed", r.speed, "states",
-                     list_of(r.states, state));
-  if (!r.members.empty()) put(json, "members", list_of(r.members, member));
+                     PartOf{r.states, system});
+  if (!r.members.empty()) put(json, "members", PartOf{r.members, system});
   put(json, "study_name", r.study.name, "version", version_string);
   return json.dump(2) + "\n";
 }

@@ -1,5 +1,5 @@
-// The reproduced paper as JSON, and the words of its document.
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
+// The reproduced paper as JSON; what its basin slices show.
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,43 +19,6 @@
 
 namespace equipoise {
 
-std::string percentage(const Share& s) {
-  const double value = 100.0 * s.share;
-  const int digits = s.count == 0 || value >= 0.1 ? 2 : value >= 0.01 ? 3 : value >= 0.001 ? 4 : 5;
-  return fmt::format("{:.{}f}", value, digits);
-}
-
-CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
-  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
-  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
-  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
-  if (row.by_published_law && row.by_published_law->starts > 0) {
-    words.computed = percentage(cell.computed);
-    words.interval = interval(cell.computed);
-    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
-  }
-  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
-    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
-  return words;
-}
-
-bool is_idle(const ReproducedCell& c) {
-  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
-}
-
-std::string difference_text(const ShareDifference& d) {
-  return fmt::format("{:+.2f} ({:+.2f} to {:+.2f})", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
-}
-
-std::string answer_text(const ConclusionResult& c) {
-  if (c.differences.empty()) return name_of(c.answer);
-  const auto [least, most] =
-      std::minmax_element(c.differences.begin(), c.differences.end(),
-                          [](const auto& a, const auto& b) { return a.difference < b.difference; });
-  if (c.differences.size() == 1) return fmt::format("{}: {}", name_of(c.answer), difference_text(*least));
-  return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
-}
-
 CellCounts all_cells(const Reproduction& r) {
   CellCounts all;
   for (const ReproducedTable& t : r.tables) {
@@ -64,17 +27,6 @@ CellCounts all_cells(const Reproduction& r) {
     all.not_comparable += t.not_comparable;
   }
   return all;
-}
-
-std::string codes_text(const BasinSlice& map) {
-  std::vector<OutcomeShare> codes = map.codes;
-  std::stable_sort(codes.begin(), codes.end(),
-                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
-  std::string list;
-  for (const OutcomeShare& c : codes)
-    if (c.share.count > 0)
-      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
-  return list;
 }
 
 namespace {
@@ -140,74 +92,74 @@ std::string balanced_text(const BasinSlice& map) {
 
 namespace {
 
+// An outcome's names and share, as the program's other results have them.
 Json with_share(Json json, const Share& share) {
   json.update(Json(share));
   return json;
 }
-
-Json ensemble_json(const EnsembleResult& e) {
-  const auto outcome = [](const OutcomeShare& line) {
-    return with_share(object("name", line.name, "alias", line.alias), line.share);
-  };
-  return object("starts", e.starts, "seed", e.study.sampling.seed, "complete", !e.partial, "outcomes",
-                list_of(e.attractors, outcome), "undecided", e.undecided, "diverged", e.diverged, "failed", e.failed,
-                "seconds", e.seconds, "cpu_seconds", e.cpu_seconds);
-}
-
-Json row_json(const ReproducedRow& row) {
-  const auto cell = [](const ReproducedCell& c) {
-    return object("attractor", c.published->attractor, "printed", c.published->printed, "published",
-                  c.published->share.share, "published_starts", c.published->share.starts, "computed", c.computed,
-                  "p_value", c.p_value, "verdict", name_of(c.verdict), "reason", c.reason);
-  };
-  const auto ensemble = [](const std::optional<EnsembleResult>& e) { return e ? ensemble_json(*e) : Json(); };
-  return object("row", row.published->label, "study", row.published->study + ".toml", "slip", row.published->slip,
-                "follow_up", row.follow_up, "cells", list_of(row.cells, cell), "published_law",
-                ensemble(row.by_published_law), "kinematic_law", ensemble(row.by_kinematic_law),
-                "kinematic_minus_published", row.law_difference);
-}
-
-Json table_json(const ReproducedTable& t) {
-  return object("table", t.published->number, "title", t.published->title, "agrees", t.agreeing, "differs", t.differing,
-                "not_comparable", t.not_comparable, "p_value_limit", t.single_limit, "rows", list_of(t.rows, row_json));
-}
-
-Json plane_json(const BasinSlice& map) {
-  const auto code = [](const OutcomeShare& c) { return with_share(object("name", c.name, "alias", c.alias), c.share); };
-  return object("x", map.x.key, "y", map.y.key, "pixels", std::array{map.x.pixels, map.y.pixels}, "outcomes",
-                list_of(map.codes, code));
-}
-
-Json open_json(const OpenQuestions& open) {
-  const auto box = [](const BoxShares& b) {
-    return object("speed", b.speed, "box", Json::parse(json_text(b.box)), "rest", Json::parse(json_text(b.rest)));
-  };
-  return object("maps", std::array{plane_json(open.eccentricity_and_angle), plane_json(open.eccentricity_and_mass)},
-                "boxes", list_of(open.boxes, box));
-}
+Json named_share(const OutcomeShare& o) { return with_share(object("name", o.name, "alias", o.alias), o.share); }
 
 }  // namespace
+
+void to_json(Json& json, const EnsembleResult& e) {
+  json = object("starts", e.starts, "seed", e.study.sampling.seed, "complete", !e.partial, "outcomes",
+                list_of(e.attractors, named_share), "undecided", e.undecided, "diverged", e.diverged, "failed",
+                e.failed, "seconds", e.seconds, "cpu_seconds", e.cpu_seconds);
+}
+
+void to_json(Json& json, const ReproducedCell& c) {
+  json = object("attractor", c.published->attractor, "printed", c.published->printed, "published",
+                c.published->share.share, "published_starts", c.published->share.starts, "computed", c.computed,
+                "p_value", c.p_value, "verdict", name_of(c.verdict), "reason", c.reason);
+}
+
+void to_json(Json& json, const ReproducedRow& row) {
+  json = object("row", row.published->label, "study", row.published->study + ".toml", "slip", row.published->slip,
+                "follow_up", row.follow_up, "cells", row.cells, "published_law", row.by_published_law, "kinematic_law",
+                row.by_kinematic_law, "kinematic_minus_published", row.law_difference);
+}
+
+void to_json(Json& json, const ReproducedTable& t) {
+  json = object("table", t.published->number, "title", t.published->title, "agrees", t.agreeing, "differs", t.differing,
+                "not_comparable", t.not_comparable, "p_value_limit", t.single_limit, "rows", t.rows);
+}
+
+void to_json(Json& json, const BasinSlice& map) {
+  json = object("x", map.x.key, "y", map.y.key, "pixels", std::array{map.x.pixels, map.y.pixels}, "outcomes",
+                list_of(map.codes, named_share));
+}
+
+void to_json(Json& json, const BoxShares& b) {
+  json = object("speed", b.speed, "box", Json::parse(json_text(b.box)), "rest", Json::parse(json_text(b.rest)));
+}
+
+void to_json(Json& json, const OpenQuestions& open) {
+  json = object("maps", Json::array({open.eccentricity_and_angle, open.eccentricity_and_mass}), "boxes", open.boxes);
+}
+
+void to_json(Json& json, const ConclusionResult& c) {
+  json = object("answer", name_of(c.answer), "differences", c.differences);
+}
+
+void to_json(Json& json, const ConclusionRow& c) {
+  json = object("conclusion", c.conclusion->text, "table", c.conclusion->table, "published_law", c.published,
+                "kinematic_law", c.kinematic);
+}
+
+void to_json(Json& json, const LeadReading& reading) {
+  json = with_share(object("row", reading.row.label(), "printed", reading.row.printed), reading.balanced);
+}
+
+void to_json(Json& json, const Picture& p) { json = object("id", p.id, "title", p.title, "path", p.path); }
 
 bool Reproduction::differs() const { return all_cells(*this).differing > 0; }
 
 std::string json_text(const Reproduction& r) {
-  const auto answer = [](const ConclusionResult& c) {
-    return object("answer", name_of(c.answer), "differences", c.differences);
-  };
-  const auto conclusion = [&](const ConclusionRow& c) {
-    return object("conclusion", c.conclusion->text, "table", c.conclusion->table, "published_law", answer(c.published),
-                  "kinematic_law", answer(c.kinematic));
-  };
-  const auto lead = [](const LeadReading& reading) {
-    return with_share(object("row", reading.row.label(), "printed", reading.row.printed), reading.balanced);
-  };
-  const auto picture = [](const Picture& p) { return object("id", p.id, "title", p.title, "path", p.path); };
   return object("command", r.command, "version", version_string, "citation", published_citation, "partial", r.partial,
-                "differs", r.differs(), "tables", list_of(r.tables, table_json), "table_7_lead",
-                list_of(r.table_7_lead, lead), "conclusions", list_of(r.conclusions, conclusion), "open_questions",
-                r.open ? open_json(*r.open) : Json(), "pictures", list_of(r.pictures, picture), "run_seconds",
-                r.run_seconds, "run_cpu_seconds", r.run_cpu_seconds, "ensembles", r.ensembles, "starts", r.starts,
-                "seconds", r.seconds, "cpu_seconds", r.cpu_seconds, "threads", r.threads, "cpu_target", r.cpu_target)
+                "differs", r.differs(), "tables", r.tables, "table_7_lead", r.table_7_lead, "conclusions",
+                r.conclusions, "open_questions", r.open, "pictures", r.pictures, "run_seconds", r.run_seconds,
+                "run_cpu_seconds", r.run_cpu_seconds, "ensembles", r.ensembles, "starts", r.starts, "seconds",
+                r.seconds, "cpu_seconds", r.cpu_seconds, "threads", r.threads, "cpu_target", r.cpu_target)
              .dump(2) +
          "\n";
 }

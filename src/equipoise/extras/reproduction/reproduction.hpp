@@ -14,6 +14,7 @@
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/machine/drives/speed.hpp"
+#include "equipoise/report/drawing/document.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 
@@ -145,5 +146,18 @@ ReproduceOptions options_for(const std::vector<std::string>& what);
 /// Everything requested, judged and summed up. The caller draws the pictures. After a stop the result is partial, and
 /// missing rows of tables are marked. Throws as basin() does.
 Reproduction reproduce(const ReproduceOptions& options);
+
+// The same as a report: its blocks, plots, words and numbers.
+
+/// Each drawing stands below a heading whose anchor names it ("table-3", "figure-transients"). `explorer`: address of
+/// the explorer's page, to which every row's study then links; may be empty.
+Document reproduction_document(const Reproduction& r, const std::string& explorer = "");
+
+/// Agreeing, differing and not comparable cells of all tables.
+CellCounts all_cells(const Reproduction& r);
+
+/// What a slice over lambda and a ball's angle, or over lambda and mu, shows of the eccentricity that the balls
+/// balance. Values are those of pixel centres. Empty for an incomplete slice.
+std::string balanced_text(const BasinSlice& map);
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // The report, block by block, with its plots.
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +16,64 @@
 namespace equipoise {
 
 namespace {
+
+// A share in percent without the sign, with as many digits as in print or as small counts need: "60.40".
+std::string percentage(const Share& s) {
+  const double value = 100.0 * s.share;
+  const int digits = s.count == 0 || value >= 0.1 ? 2 : value >= 0.01 ? 3 : value >= 0.001 ? 4 : 5;
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+// The words for a cell in tables: "-" or nothing if it was not computed. Printed fractions of one are converted to
+// percentages and marked.
+struct CellWords {
+  std::string printed, computed, interval, p_value, kinematic;
+};
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
+  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
+  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
+  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
+  if (row.by_published_law && row.by_published_law->starts > 0) {
+    words.computed = percentage(cell.computed);
+    words.interval = interval(cell.computed);
+    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+  }
+  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
+    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
+  return words;
+}
+
+// Whether this is an attractor other than balance that was neither printed nor found.
+bool is_idle(const ReproducedCell& c) {
+  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
+}
+
+// "+19.8 (19.4 to 20.2)", in percentage points.
+std::string difference_text(const ShareDifference& d) {
+  return fmt::format("{:+.2f} ({:+.2f} to {:+.2f})", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
+}
+
+// "holds: +19.8 (19.4 to 20.2)"; with several contrasts the smallest and the largest.
+std::string answer_text(const ConclusionResult& c) {
+  if (c.differences.empty()) return name_of(c.answer);
+  const auto [least, most] =
+      std::minmax_element(c.differences.begin(), c.differences.end(),
+                          [](const auto& a, const auto& b) { return a.difference < b.difference; });
+  if (c.differences.size() == 1) return fmt::format("{}: {}", name_of(c.answer), difference_text(*least));
+  return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
+}
+
+// Shares of the motions of a basin slice, the largest first.
+std::string codes_text(const BasinSlice& map) {
+  std::vector<OutcomeShare> codes = map.codes;
+  std::stable_sort(codes.begin(), codes.end(),
+                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
+  std::string list;
+  for (const OutcomeShare& c : codes)
+    if (c.share.count > 0)
+      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
+  return list;
+}
 
 void add(PlotSeries& series, double x, const Share& share) {
   series.add(x, 100.0 * share.share, 100.0 * share.low, 100.0 * share.high);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -55,8 +55,6 @@ std::string bare_answer(const BasinResult& r) {
                      r.without_balls->bare.one ? "" : ", in the median");
 }
 
-std::string point_words(const Share& s) { return percent(s.share, digits_for(s)); }
-
 }  // namespace
 
 std::string share_words(const Share& s) {
@@ -99,7 +97,8 @@ std::string answer_sentence(const BasinResult& r) {
   std::string text = balance_words(r);
   if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
   text += limit_words(r);
-  if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
+  if (r.undecided.count > 0)
+    text += fmt::format("; {} stay undecided", percent(r.undecided.share, digits_for(r.undecided)));
   if (const std::uint64_t lost = r.lost(); lost > 0)
     text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
   return after_what_is_drawn(drawn_keys(r.study), text + ".");

@@ -1,5 +1,5 @@
 // The answer of an ensemble, a sweep, a capacity or a basin slice, in one sentence.
-// This room: an answer in one sentence; quantities, starts and designs in words.
+// This room: an answer in one sentence; designs in words.
 #pragma once
 
 #include <cstddef>

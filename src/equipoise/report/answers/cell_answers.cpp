@@ -8,7 +8,7 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/types/outcome.hpp"
 

@@ -82,10 +82,6 @@ std::string balls_chosen(const Study& study, const std::vector<DesignSetting>& s
 
 std::string shown(const DesignMargin& m, double value) { return fmt::format("{}{:.4g}", m.prefix, value); }
 
-bool has_ends(const DesignMargin& m) {
-  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
-}
-
 // "ball diameter 10 to 15 mm"; a value that failed nowhere in the range tried is left out.
 std::string margins_words(const DesignResult& r) {
   constexpr std::size_t most_told = 3;
@@ -125,6 +121,10 @@ bool as_good_before(const DesignResult& r, const DesignSample& now) {
 
 bool keeps(const DesignLimit& limit, double value) {
   return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
+}
+
+bool has_ends(const DesignMargin& m) {
+  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
 }
 
 bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {

@@ -11,6 +11,8 @@ namespace equipoise {
 /// Whether a figure keeps a limit; whether its whole interval does.
 bool keeps(const DesignLimit& limit, double value);
 bool surely_keeps(const DesignLimit& limit, const DesignEstimate& estimate);
+/// Whether the values of what was varied are in an order, so that it may go from one to another.
+bool has_ends(const DesignMargin& margin);
 /// A figure in words: "starts that balance" of "balanced", "peak displacement, 95 % of starts below" of
 /// "peak_radial.0.95"; `brief`: for a table, "peak displacement, 95 %". A name that has no words stands for itself.
 std::string figure_words(const DesignFigure& figure, bool brief = false);

@@ -14,7 +14,7 @@
 #include "equipoise/machine/standards/hand_arm.hpp"
 #include "equipoise/machine/standards/severity.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -25,6 +25,8 @@ namespace {
 
 constexpr char no_balls[] = "no balls";
 
+using Judged = JudgedByStandards;
+
 constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
 
 // The speed in the end, Hz.
@@ -34,28 +36,14 @@ double turns_a_second(const BasinResult& r, const TransientGroup& group) {
   return std::fabs(speed) * r.study.scales->frequency / two_pi;
 }
 
-// What is judged: the ensemble, next to the rotor without balls; of a study without balls that rotor alone.
-struct Judged {
-  const TransientGroup& all;
-  const TransientGroup* beside;
-  bool one;  // run is enough
-};
-
-std::optional<Judged> judged(const BasinResult& r) {
-  if (!r.study.scales || !r.without_balls || r.without_balls->bare.figures.starts == 0) return std::nullopt;
-  const OneBodyRuns& bare = r.without_balls->bare;
-  if (r.study.parameters.balls == 0) return Judged{bare.figures, nullptr, bare.one};
-  if (!tells_without_balls(r)) return std::nullopt;
-  return Judged{r.transients->groups.front(), &bare.figures, false};
-}
-
 // m/s^2: of what is judged in the median and in nine of ten, and of the rotor next to it.
 struct HandArm {
   double median, ninety;
   std::optional<double> bare;
 };
 
-std::optional<HandArm> hand_arm(const BasinResult& r, const Judged& j) {
+std::optional<HandArm> hand_arm(const Judged& j) {
+  const BasinResult& r = j.result;
   if (!r.study.standards.hand_held) return std::nullopt;
   const auto acceleration = [&](const TransientGroup& group, std::size_t quantile) {
     const double velocity = group.figure(&TransientRow::rms_velocity).quantiles[quantile].value;
@@ -73,7 +61,8 @@ std::string hours_text(double acceleration, double value) {
                          : fmt::format("{:.2g} min", 60.0 * hours);
 }
 
-DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& study) {
+DocumentTable hand_arm_table(const HandArm& a, const Judged& j) {
+  const Study& study = j.result.study;
   DocumentTable table{{"hand-arm vibration"}};
   std::vector<double> columns;
   const auto add = [&](const char* title, double value) {
@@ -84,7 +73,7 @@ DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& stu
   if (!j.one) add("90 % below", a.ninety);
   if (a.bare) add(no_balls, *a.bare);
   const auto row = [&](const std::string& name, auto&& text) {
-    table.rows.push_back({{name, Tone::plain, false, true}});
+    table.rows.push_back({label_cell(name)});
     for (const double value : columns) table.rows.back().push_back(number_cell(text(value)));
   };
   row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
@@ -112,7 +101,8 @@ std::string bare_zone(const BasinResult& r) {
   return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
 }
 
-Block severity(const BasinResult& r, const Judged& j) {
+Block severity(const Judged& j) {
+  const BasinResult& r = j.result;
   if (!j.all.beyond[0])
     return Paragraph{
         fmt::format("Severity: at {:.3g} turns per second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
@@ -132,7 +122,8 @@ Block severity(const BasinResult& r, const Judged& j) {
   return table;
 }
 
-std::string sliding_text(const BasinResult& r, const Judged& j) {
+std::string sliding_text(const Judged& j) {
+  const BasinResult& r = j.result;
   const double level = *sliding_level(r.study), force = r.study.scales->force();
   const TransientGroup& bare = r.without_balls->bare.figures;
   const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
@@ -152,7 +143,8 @@ struct Permissible {
 };
 
 // By the grade of [limits], or else the standard's that is met.
-std::optional<Permissible> permissible(const BasinResult& r, const Judged& j) {
+std::optional<Permissible> permissible(const Judged& j) {
+  const BasinResult& r = j.result;
   const auto left = left_grade(j.all, r.study);
   const double omega = two_pi * turns_a_second(r, j.all), mass = r.study.scales->mass;
   if (!left || !(omega > 0.0)) return std::nullopt;
@@ -177,17 +169,25 @@ std::string balance_quality_text(double grade, std::optional<double> beside) {
 
 }  // namespace
 
+std::optional<JudgedByStandards> judged_by_standards(const BasinResult& r) {
+  if (!r.study.scales || !r.without_balls || r.without_balls->bare.figures.starts == 0) return std::nullopt;
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (r.study.parameters.balls == 0) return Judged{r, bare.figures, nullptr, bare.one};
+  if (!tells_without_balls(r)) return std::nullopt;
+  return Judged{r, r.transients->groups.front(), &bare.figures, false};
+}
+
 std::vector<Block> standards_blocks(const BasinResult& r) {
-  const auto j = judged(r);
+  const auto j = judged_by_standards(r);
   if (!j) return {};
   std::vector<Block> blocks;
-  const auto allowed = permissible(r, *j);
+  const auto allowed = permissible(*j);
   if (const auto grade = left_grade(j->all, r.study))
     if (const auto beside = j->beside ? left_grade(*j->beside, r.study) : std::nullopt; beside || !j->beside)
       blocks.push_back(Paragraph{balance_quality_text(*grade, beside) + (allowed ? permissible_text(*allowed) : "")});
-  if (r.study.standards.severity_class) blocks.push_back(severity(r, *j));
-  if (const auto arms = hand_arm(r, *j)) blocks.push_back(hand_arm_table(*arms, *j, r.study));
-  if (j->all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r, *j)});
+  if (r.study.standards.severity_class) blocks.push_back(severity(*j));
+  if (const auto arms = hand_arm(*j)) blocks.push_back(hand_arm_table(*arms, *j));
+  if (j->all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(*j)});
   return blocks;
 }
 
@@ -206,43 +206,41 @@ std::vector<std::vector<Block>> balancer_blocks(const BasinResult& r) {
   return groups;
 }
 
-Json standards_json(const BasinResult& r) {
-  const auto j = judged(r);
-  if (!j) return nullptr;
-  Json json = Json::object();
-  const auto grade = left_grade(j->all, r.study), bare = left_grade(r.without_balls->bare.figures, r.study);
+void to_json(Json& json, const JudgedByStandards& j) {
+  const BasinResult& r = j.result;
+  json = Json::object();
+  const auto grade = left_grade(j.all, r.study), bare = left_grade(r.without_balls->bare.figures, r.study);
   if (grade && bare) {
     Json& quality = json["balance_quality"];
-    if (j->beside) put(quality, "mean", *grade);
+    if (j.beside) put(quality, "mean", *grade);
     put(quality, "without_balls", *bare, "unit", "mm/s", "source", "ISO 21940-11");
-    if (const auto allowed = permissible(r, *j))
+    if (const auto allowed = permissible(j))
       put(json, "permissible_unbalance",
           object("grade", allowed->grade, "unbalance", 1e6 * allowed->unbalance, "left", 1e6 * allowed->left, "unit",
                  "g mm", "source", "ISO 21940-11"));
   }
-  if (j->all.beyond[0]) {
+  if (j.all.beyond[0]) {
     Json within;
-    for (std::size_t k = 0; k < zones; ++k) within[standards::zone_names[k]] = sure(complement(*j->all.beyond[k]));
+    for (std::size_t k = 0; k < zones; ++k) within[standards::zone_names[k]] = sure(complement(*j.all.beyond[k]));
     put(json, "severity",
         object("class", class_of(r.study).name, "without_balls", bare_zone(r), "source", "ISO 10816-1:1995", "within",
                within));
   }
-  if (const auto arms = hand_arm(r, *j)) {
+  if (const auto arms = hand_arm(j)) {
     const auto times = [](double a) {
       return object("acceleration", a, "hours_to_action_value",
                     standards::hours_to_exposure(a, standards::exposure_action_value), "hours_to_limit_value",
                     standards::hours_to_exposure(a, standards::exposure_limit_value));
     };
     Json& told = json["hand_arm"];
-    if (!j->one) put(told, "median", times(arms->median), "at_most_in_90_percent", times(arms->ninety));
-    if (arms->bare || j->one) put(told, "without_balls", times(arms->bare.value_or(arms->median)));
+    if (!j.one) put(told, "median", times(arms->median), "at_most_in_90_percent", times(arms->ninety));
+    if (arms->bare || j.one) put(told, "without_balls", times(arms->bare.value_or(arms->median)));
     put(told, "unit", "m/s2", "source", "ISO 5349-1:2001, Directive 2002/44/EC");
   }
-  if (j->all.beyond[sliding])
+  if (j.all.beyond[sliding])
     put(json, "slides",
         object("force", *sliding_level(r.study) * r.study.scales->force(), "unit", "N", "share",
-               sure(*j->all.beyond[sliding])));
-  return json;
+               sure(*j.all.beyond[sliding])));
 }
 
 }  // namespace equipoise

@@ -2,8 +2,8 @@
 // Its verdict as JSON, not in verdict.hpp: installed headers need no JSON library.
 #pragma once
 
+#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "equipoise/report/decision/verdict.hpp"
@@ -20,10 +20,19 @@ std::vector<Block> standards_blocks(const BasinResult& result);
 /// that has nothing to report is left out.
 std::vector<std::vector<Block>> balancer_blocks(const BasinResult& result);
 
-/// The object "standards" of json_text(); null where standards_blocks() is empty.
-Json standards_json(const BasinResult& result);
+/// What is judged: the ensemble, next to the rotor without balls; of a study without balls that rotor alone.
+struct JudgedByStandards {
+  const BasinResult& result;
+  const TransientGroup& all;
+  const TransientGroup* beside;
+  bool one;  ///< run is enough
+};
+/// Empty where standards_blocks() is.
+std::optional<JudgedByStandards> judged_by_standards(const BasinResult& result);
+/// The object "standards" of json_text().
+void to_json(Json& json, const JudgedByStandards& judged);
 
 /// The verdict's lines, and every change that was tried, in the study's shown units.
-Json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
+void to_json(Json& json, const PartOf<BalancerVerdict, std::span<const TriedChange>>& verdict);
 
 }  // namespace equipoise

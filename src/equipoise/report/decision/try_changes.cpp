@@ -1,5 +1,5 @@
 // Ensembles of studies with one thing changed: a look at each, and a closer one at those that may serve.
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 
 #include <algorithm>
 #include <cstddef>

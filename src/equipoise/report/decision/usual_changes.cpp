@@ -1,5 +1,5 @@
 // What an engineer would change first, each as a study.
-#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,7 @@ class Changes {
     if (p_.tilts() && study_.speed.driven()) return;  // whose held balls are not followed
     Study s = study_;
     // To two digits, as it is shown: no one sets a latch to 750.99 rpm.
-    const double unit = study::shown_unit(study::Dimension::speed, study_.scales).size;
+    const double unit = unit_of(study_, study::Dimension::speed).size;
     const double shown = 0.5 * (std::sqrt(2.0) + last) * unit,
                  step = std::pow(10.0, std::floor(std::log10(shown)) - 1.0);
     const double speed = std::copysign(std::round(shown / step) * step / unit, study_.speed_profile().final_speed());

@@ -128,7 +128,7 @@ class Judge {
   static std::string share_words(const Share& s) { return fmt::format("{} ({})", share_text(s), interval(s)); }
 
   std::string shown(double value, study::Dimension d) const {
-    const study::ShownUnit unit = study::shown_unit(d, r_.study.scales);
+    const study::ShownUnit unit = unit_of(r_.study, d);
     return fmt::format("{:.3g} {}", value * unit.size, unit.name);
   }
 
@@ -215,7 +215,7 @@ class Judge {
   bool bounds_the_way() const { return r_.study.limits.displacement || r_.study.limits.clearance; }
 
   void by_comparison() {
-    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
+    const study::ShownUnit unit = unit_of(r_.study, study::Dimension::velocity);
     const QuantileEstimate &most = with_.sure_end_velocity[ninety], &times = times_.end_velocity[ninety];
     const double without = none_.figure(&TransientRow::rms_velocity).quantiles[ninety].value;
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
@@ -385,8 +385,8 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   std::stable_sort(order.begin(), order.end(), serves_better);
   if (order.size() > most) order.resize(most);
   order.push_back(*as_it_is);
-  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
-                         length = study::shown_unit(study::Dimension::length, r.study.scales);
+  const study::ShownUnit velocity = unit_of(r.study, study::Dimension::velocity),
+                         length = unit_of(r.study, study::Dimension::length);
   DocumentTable table{{"change",
                        limited ? "within every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
                        fmt::format("peak displacement, {}", length.name)}};
@@ -421,23 +421,25 @@ std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
   return document_text({"", {verdict_notice(v)}}, style) + "\n";
 }
 
-Json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
-  const auto name = [](Decision decision) { return decision_names[static_cast<std::size_t>(decision)]; };
-  Json json = object("decision", name(v.decision), "words", v.words, "because", v.because, "change", v.change);
-  if (tried.empty()) return json;
-  json["tried"] = list_of(tried, [&](const TriedChange& t) {
-    const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
-      const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
-      return object("unit", unit.name, "value", e.value * unit.size, "low", e.low * unit.size, "high",
-                    e.high * unit.size);
-    };
-    Json one = object("words", t.words, "starts", t.starts, "decision", name(t.decision));
-    if (t.kept) put(one, "kept", sure(*t.kept));
-    put(one, "rms_velocity_90", figure(t.end_velocity, study::Dimension::velocity), "peak_radial_90",
-        figure(t.peak, study::Dimension::length), "seconds", t.seconds, "cpu_seconds", t.cpu_seconds);
+void to_json(Json& json, Decision decision) { json = decision_names[static_cast<std::size_t>(decision)]; }
+
+void to_json(Json& json, const TriedChange& t) {
+  const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
+    const study::ShownUnit unit = unit_of(t.study, d);
+    Json one = object("unit", unit.name);
+    one.update(Json(times(e, unit.size)));
     return one;
-  });
-  return json;
+  };
+  json = object("words", t.words, "starts", t.starts, "decision", t.decision);
+  if (t.kept) put(json, "kept", sure(*t.kept));
+  put(json, "rms_velocity_90", figure(t.end_velocity, study::Dimension::velocity), "peak_radial_90",
+      figure(t.peak, study::Dimension::length), "seconds", t.seconds, "cpu_seconds", t.cpu_seconds);
+}
+
+void to_json(Json& json, const PartOf<BalancerVerdict, std::span<const TriedChange>>& of) {
+  const BalancerVerdict& v = of.part;
+  json = object("decision", v.decision, "words", v.words, "because", v.because, "change", v.change);
+  if (!of.whole.empty()) put(json, "tried", list_of(of.whole, [](const TriedChange& t) { return Json(t); }));
 }
 
 }  // namespace equipoise

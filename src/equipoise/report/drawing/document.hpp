@@ -24,6 +24,7 @@ struct DocumentCell {
   std::string link{};   ///< link target; may be empty
 };
 inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
+inline DocumentCell label_cell(const std::string& text) { return {text, Tone::plain, false, true}; }
 /// A row of plain cells, a letter each: text, number or label.
 inline std::vector<DocumentCell> row_of(const std::string& letters, const std::vector<std::string>& texts) {
   std::vector<DocumentCell> row;

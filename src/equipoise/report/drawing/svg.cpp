@@ -1,14 +1,18 @@
-// SVG text. Colours are in style attributes: presentation attributes need not understand a page's variables.
+// SVG text, and within it PNG with a palette, written by libpng. Colours are in style attributes: presentation
+// attributes need not understand a page's variables.
 #include "equipoise/report/drawing/svg.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/drawing/html_text.hpp"
 
@@ -63,6 +67,37 @@ std::string tick_words(double value, bool log) {
 
 }  // namespace
 
+void Raster::add(const std::string& colour) {
+  if (!squares.empty() && palette[squares.back()] == colour) return squares.push_back(squares.back());
+  const auto at = std::find(palette.begin(), palette.end(), colour);
+  squares.push_back(static_cast<std::uint8_t>(at - palette.begin()));
+  if (at == palette.end()) palette.push_back(colour);
+}
+
+std::string png_bytes(const Raster& r) {
+  constexpr std::size_t most_colours = 256;
+  const bool fits = !r.palette.empty() && r.palette.size() <= most_colours && r.width * r.height == r.squares.size() &&
+                    !r.squares.empty() && *std::max_element(r.squares.begin(), r.squares.end()) < r.palette.size();
+  if (!fits) throw std::invalid_argument("a picture's squares, size and palette do not agree");
+  std::vector<png_byte> colours;
+  for (const std::string& colour : r.palette)
+    for (const std::size_t at : {1, 3, 5})
+      colours.push_back(static_cast<png_byte>(std::stoi(colour.substr(at, 2), nullptr, 16)));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(r.width);
+  image.height = static_cast<png_uint_32>(r.height);
+  image.format = PNG_FORMAT_RGB_COLORMAP;
+  image.colormap_entries = static_cast<png_uint_32>(r.palette.size());
+  std::string out;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  out.resize(size);
+  if (!png_image_write_to_memory(&image, out.data(), &size, 0, r.squares.data(), 0, colours.data()))
+    throw RunError(image.message);
+  out.resize(size);
+  return out;
+}
+
 std::string Svg::str() const {
   return fmt::format(
       "<svg viewBox=\"0 0 {0:.5g} {1:.5g}\" width=\"{0:.5g}\" height=\"{1:.5g}\" role=\"img\">"
@@ -113,11 +148,11 @@ void Svg::text(SvgPoint at, const std::string& words, SvgAnchor anchor, const st
       at.x, at.y, name_of(anchor), size, colour.empty() ? ink : colour, html_text(display_text(words)));
 }
 
-void Svg::image(SvgPoint corner, double width, double height, const std::string& png) {
+void Svg::image(SvgPoint corner, double width, double height, const Raster& raster) {
   out_ += fmt::format(
       "<image x=\"{:.5g}\" y=\"{:.5g}\" width=\"{:.5g}\" height=\"{:.5g}\" preserveAspectRatio=\"none\" "
       "style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n",
-      corner.x, corner.y, width, height, base64(png));
+      corner.x, corner.y, width, height, base64(png_bytes(raster)));
 }
 
 void Svg::group(const std::string& name) { out_ += fmt::format("<g><title>{}</title>\n", html_text(name)); }

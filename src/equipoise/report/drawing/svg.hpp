@@ -1,6 +1,7 @@
 // SVG pictures within a page or as files: a few shapes, and axes to draw over.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,20 @@ inline constexpr const char* limit_colour = "var(--limit)";
 
 enum class SvgAnchor { start, middle, end };
 
+/// A picture of coloured squares: rows from the top, each of `width` indices into the palette; colours "#rrggbb", 1 to
+/// 256 of them.
+struct Raster {
+  std::size_t width = 0, height = 0;
+  std::vector<std::string> palette;
+  std::vector<std::uint8_t> squares;
+
+  /// The next square.
+  void add(const std::string& colour);
+};
+
+/// The bytes of a PNG file (ISO/IEC 15948). Throws std::invalid_argument if the sizes disagree.
+std::string png_bytes(const Raster& raster);
+
 /// Lengths are in pixels at the picture's own size; y points down.
 class Svg {
  public:
@@ -43,8 +58,8 @@ class Svg {
   /// `at`: on the text's base line. `colour`: ink if empty.
   void text(SvgPoint at, const std::string& words, SvgAnchor anchor = SvgAnchor::start, const std::string& colour = {},
             double size = 11.0);
-  /// The bytes of a PNG file stretched over a rectangle, with sharp edges between its squares.
-  void image(SvgPoint corner, double width, double height, const std::string& png);
+  /// Squares stretched over a rectangle, with sharp edges between them.
+  void image(SvgPoint corner, double width, double height, const Raster& raster);
   /// What is drawn until end_group() is shown as `name` where the mouse rests on it.
   void group(const std::string& name);
   void end_group() { out_ += "</g>\n"; }

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 

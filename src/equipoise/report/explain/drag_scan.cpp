@@ -1,9 +1,10 @@
 // Eigenvalues of the equations' Jacobian at a balanced state, over drag.
-#include "equipoise/report/explain/drag_scan.hpp"
+#include "equipoise/report/explain/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/machine/model/system.hpp"

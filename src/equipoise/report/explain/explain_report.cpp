@@ -11,8 +11,8 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
@@ -167,10 +167,14 @@ class Text {
   std::string text_;
 };
 
-// Each value with its SI value and unit, if there are scales.
+// Writes each value with its SI value and unit, if there are scales; what is not there is null.
 struct InBothForms {
   const std::optional<model::Scales>& scales;
 
+  template <class Part>
+  Json operator()(const std::optional<Part>& part) const {
+    return part ? (*this)(*part) : Json();
+  }
   Json operator()(double value, Dimension d) const {
     Json json = object("dimensionless", value);
     if (scales) put(json, "si", value * study::scale_of(d, *scales), "unit", study::words(d).si);
@@ -191,9 +195,40 @@ struct InBothForms {
     if (!w.of_both.empty()) return object("of_both", (*this)(w.of_both, Dimension::speed));
     return object("forward", (*this)(w.forward, Dimension::speed), "backward", (*this)(w.backward, Dimension::speed));
   }
+  Json operator()(const RunUp& r) const {
+    const InBothForms& both = *this;
+    return object("speed", both(r.speed, Dimension::speed), "inertia", both(r.inertia, Dimension::inertia),
+                  "without_losses", both(r.alone, Dimension::time), "with_own_unbalance",
+                  both(r.shaken, Dimension::time), "stalls_at",
+                  r.shaken ? Json() : both(r.stalls_at, Dimension::speed));
+  }
+  Json operator()(const model::Carrying& c) const {
+    return object("first_from", (*this)(c.first, Dimension::speed), "all_from", (*this)(c.all, Dimension::speed),
+                  "may_hang", c.may_hang());
+  }
+  Json operator()(const BareVibration& v) const {
+    return object("displacement", (*this)(v.displacement, Dimension::length), "force",
+                  (*this)(v.force, Dimension::force));
+  }
+  Json operator()(const ExplainedPlane& p) const {
+    const InBothForms& both = *this;
+    return object("at", both(p.at, Dimension::length), "unbalance", both(p.unbalance, Dimension::unbalance),
+                  "least_unbalance", both(p.least, Dimension::unbalance), "largest_unbalance",
+                  both(p.most, Dimension::unbalance), "reason", p.why_not);
+  }
+  Json operator()(const TiltExplanation& t) const {
+    const InBothForms& both = *this;
+    return object("whirl", both(t.alone), "whirl_with_balls", both(t.with_balls), "couple_unbalance",
+                  both(t.couple, Dimension::inertia), "planes", list_of(t.planes, both), "displacement_at_bearings",
+                  both(t.at_bearings, Dimension::length), "force_at_bearings", both(t.forces, Dimension::force));
+  }
+  Json operator()(const RuleOfThumb& r) const {
+    return object("id", r.id, "name", r.name, "kept", r.kept, "words", r.words, "figures", list_of(r.figures, *this),
+                  "formula", r.formula, "source", r.source);
+  }
 };
 
-Json balanced_json(const BalancedMotion& m, const InBothForms& both, int balls) {
+Json motion_of(const BalancedMotion& m, const InBothForms& both, int balls) {
   const auto time = [&](bool there, double value) { return there ? both(value, Dimension::time) : Json(); };
   Json json = object("stable", m.stable, "angles", leading(m.angles, balls), "time_constant",
                      time(m.stable, -1.0 / m.slowest_rate), "drag_sensitivity", m.drag_sensitivity, "left_out", m.less,
@@ -204,23 +239,6 @@ Json balanced_json(const BalancedMotion& m, const InBothForms& both, int balls) 
   return json;
 }
 
-Json tilt_json(const TiltExplanation& t, const InBothForms& both) {
-  const auto plane = [&](const ExplainedPlane& p) {
-    return object("at", both(p.at, Dimension::length), "unbalance", both(p.unbalance, Dimension::unbalance),
-                  "least_unbalance", both(p.least, Dimension::unbalance), "largest_unbalance",
-                  both(p.most, Dimension::unbalance), "reason", p.why_not);
-  };
-  return object("whirl", both(t.alone), "whirl_with_balls", both(t.with_balls), "couple_unbalance",
-                both(t.couple, Dimension::inertia), "planes", list_of(t.planes, plane), "displacement_at_bearings",
-                both(t.at_bearings, Dimension::length), "force_at_bearings", both(t.forces, Dimension::force));
-}
-
-Json run_up_json(const RunUp& r, const InBothForms& both) {
-  return object("speed", both(r.speed, Dimension::speed), "inertia", both(r.inertia, Dimension::inertia),
-                "without_losses", both(r.alone, Dimension::time), "with_own_unbalance", both(r.shaken, Dimension::time),
-                "stalls_at", r.shaken ? Json() : both(r.stalls_at, Dimension::speed));
-}
-
 }  // namespace
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {
@@ -228,39 +246,29 @@ std::string explain_text(const Explanation& e, const TextStyle& style) {
   return lines_filled(Text(e, style).all(), style, labels);
 }
 
+void to_json(Json& json, const BasinCost& cost) {
+  json = object("cpu_seconds", cost.total(), "search", cost.search, "search_ended", cost.search_ended, "a_start",
+                cost.a_start, "starts", cost.starts, "measured", cost.measured);
+}
+
 std::string json_text(const Explanation& e) {
   const InBothForms both{e.study.scales};
   const auto unbalance = [&](double value) { return both(value, Dimension::unbalance); };
-  const auto rule = [&](const RuleOfThumb& r) {
-    return object("id", r.id, "name", r.name, "kept", r.kept, "words", r.words, "figures", list_of(r.figures, both),
-                  "formula", r.formula, "source", r.source);
-  };
-  Json json =
-      object("quantities", list_of(e.quantities, both), "critical_speed", both(e.critical_alone, Dimension::speed),
-             "critical_speed_with_balls", both(e.critical_with_balls, Dimension::speed), "final_speed",
-             both(e.speed, Dimension::speed), "final_speed_reason", e.speed_words, "run_up",
-             e.run_up ? run_up_json(*e.run_up, both) : Json(), "cost", nullptr);
-  if (e.cost)
-    json["cost"] =
-        object("cpu_seconds", e.cost->total(), "search", e.cost->search, "search_ended", e.cost->search_ended,
-               "a_start", e.cost->a_start, "starts", e.cost->starts, "measured", e.cost->measured);
+  Json json = object("quantities", list_of(e.quantities, both), "critical_speed",
+                     both(e.critical_alone, Dimension::speed), "critical_speed_with_balls",
+                     both(e.critical_with_balls, Dimension::speed), "final_speed", both(e.speed, Dimension::speed),
+                     "final_speed_reason", e.speed_words, "run_up", both(e.run_up), "cost", e.cost);
   put(json, "can_balance", e.balanced.kind != model::BalancedStates::Kind::none, "reason", e.balanced.reason,
       "static_sag", both(e.sag, Dimension::length), "weight", both(e.weight(), Dimension::force), "gravity_ratio",
-      e.gravity_ratio, "carried_round", nullptr);
-  if (e.carrying)
-    json["carried_round"] = object("first_from", both(e.carrying->first, Dimension::speed), "all_from",
-                                   both(e.carrying->all, Dimension::speed), "may_hang", e.carrying->may_hang());
-  put(json, "own_unbalance", unbalance(e.study.parameters.eccentricity), "unbalance", unbalance(e.unbalance),
-      "least_unbalance", unbalance(e.least_unbalance), "largest_unbalance", unbalance(e.largest_unbalance), "balanced",
-      e.motion ? balanced_json(*e.motion, both, e.study.parameters.balls) : Json(), "not_linearised", e.no_motion,
-      "without_balls", nullptr);
-  if (e.bare)
-    json["without_balls"] = object("displacement", both(e.bare->displacement, Dimension::length), "force",
-                                   both(e.bare->force, Dimension::force));
+      e.gravity_ratio, "carried_round", both(e.carrying), "own_unbalance", unbalance(e.study.parameters.eccentricity),
+      "unbalance", unbalance(e.unbalance), "least_unbalance", unbalance(e.least_unbalance), "largest_unbalance",
+      unbalance(e.largest_unbalance), "balanced",
+      e.motion ? motion_of(*e.motion, both, e.study.parameters.balls) : Json(), "not_linearised", e.no_motion,
+      "without_balls", both(e.bare));
   const auto grade = e.speed ? own_balance_grade(e.study, *e.speed) : std::nullopt;
-  put(json, "balance_grade", grade ? grade_json(*grade) : Json());
-  if (e.tilt) put(json, "tilt", tilt_json(*e.tilt, both));
-  put(json, "reynolds_number", e.reynolds, "advice", list_of(e.advice, rule), "warnings", e.warnings, "study", e.study,
+  put(json, "balance_grade", grade ? Json(BalanceGrade{*grade}) : Json());
+  if (e.tilt) put(json, "tilt", both(*e.tilt));
+  put(json, "reynolds_number", e.reynolds, "advice", list_of(e.advice, both), "warnings", e.warnings, "study", e.study,
       "study_name", e.study.name, "version", version_string);
   return json.dump(2) + "\n";
 }

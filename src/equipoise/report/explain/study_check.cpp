@@ -15,7 +15,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/explain/parts.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"

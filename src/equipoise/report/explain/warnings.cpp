@@ -12,9 +12,8 @@
 #include "equipoise/classification/start_runs/undecided.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/explain/drag_scan.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 
 namespace equipoise {

@@ -138,7 +138,7 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
 }
 
 // One change of an estimate, and its words.
-struct Change {
+struct VariedStudy {
   std::string_view of;
   const char* amount;
   bool more;
@@ -157,10 +157,10 @@ std::optional<double> drag_factor(const Study& study, double kelvin) try {
   return std::nullopt;
 }
 
-std::vector<Change> changes_of(const Study& study) {
+std::vector<VariedStudy> changes_of(const Study& study) {
   constexpr double part = 0.2, kelvin = 10.0;
-  std::vector<Change> changes;
-  const auto add = [&](const Estimate& estimate, double factor, Change change) {
+  std::vector<VariedStudy> changes;
+  const auto add = [&](const Estimate& estimate, double factor, VariedStudy change) {
     estimate.scale(change.study.parameters, factor);
     changes.push_back(std::move(change));
   };
@@ -188,7 +188,7 @@ std::string what_matters_most(const Study& study, const StopFlag* stop) {
   const Measures before = measures_of(study, stop);
   Effect worst;
   std::string which;
-  for (const Change& change : changes_of(study)) {
+  for (const VariedStudy& change : changes_of(study)) {
     Effect effect = effect_of(study, before, measures_of(change.study, stop));
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);

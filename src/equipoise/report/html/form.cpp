@@ -9,8 +9,8 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
-#include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/html/page_parts.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"

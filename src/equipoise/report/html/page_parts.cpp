@@ -1,4 +1,4 @@
-// Tables about the machine, and words about the run.
+// Tables about the machine, from the study's tree and what explain() finds, and words about the run.
 #include "equipoise/report/html/page_parts.hpp"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
-#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -57,7 +57,7 @@ DocumentTable advice_table(const Explanation& e) {
                       true,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
-    table.rows.push_back({{rule.name, Tone::plain, false, true},
+    table.rows.push_back({label_cell(rule.name),
                           {rule.words, !rule.kept   ? Tone::plain
                                        : *rule.kept ? Tone::good
                                                     : Tone::open},
@@ -76,8 +76,29 @@ DocumentTable facts_table(const Explanation& e) {
   DocumentTable table{{"follows", "without any simulation"}};
   for (const Fact& fact : facts(e, numbers))
     if (std::find(shown.begin(), shown.end(), fact.name) != shown.end())
-      table.rows.push_back({{fact.name, Tone::plain, false, true}, {fmt::format("{}", fmt::join(fact.lines, "; "))}});
+      table.rows.push_back({label_cell(fact.name), {fmt::format("{}", fmt::join(fact.lines, "; "))}});
   return table;
+}
+
+std::string distribution_text(const UncertainValue& v) {
+  switch (v.kind) {
+    case DistributionKind::uniform:
+      return fmt::format("uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::loguniform:
+      return fmt::format("log-uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::normal: {
+      const std::string cut =
+          v.between ? fmt::format(", cut to {} to {}", v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
+      return fmt::format("normal, mean {}, standard deviation {}{}", v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
+    }
+    case DistributionKind::values:
+      break;
+  }
+  constexpr std::size_t most_shown = 6;
+  std::string text = "one of ";
+  for (std::size_t k = 0; k < std::min(v.numbers.size(), most_shown); ++k)
+    text += (k ? ", " : "") + v.text(v.numbers[k]);
+  return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
 }
 
 }  // namespace
@@ -92,6 +113,15 @@ Document document_with(const Study& study, const std::string& answer, const std:
   if (!held.empty()) held = capitalised(held) + ".";
   document.add(Brief{lines, held});
   return document;
+}
+
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set) {
+  std::string text;
+  for (const UncertainValue& v : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), v.key) == set.end())
+      text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
+  text += drawn_instead_text(study);
+  return text.empty() ? text : text + "\n";
 }
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
@@ -130,6 +160,76 @@ void add_origin(Document& document, const Study& study, const std::string& words
 
 namespace {
 
+std::string words_of(const std::string& key) {
+  std::string words = key;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+// `between`: the keys of a table.
+std::string words_of_value(const StudyValue& value, const char* between = ", ") {
+  if (const auto* table = value.table()) {
+    std::string text;
+    for (const auto& [key, member] : *table)
+      text += fmt::format("{}{} {}", text.empty() ? "" : between, words_of(key), words_of_value(member));
+    return text;
+  }
+  if (const auto* array = value.array()) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (std::size_t k = 0; k < array->size() && k < most; ++k) text += (k ? ", " : "") + words_of_value((*array)[k]);
+    return array->size() > most ? text + ", ..." : text;
+  }
+  if (const auto* truth = value.boolean()) return *truth ? "yes" : "no";
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* number = value.real()) return fmt::format("{}", *number);
+  return value.string() ? *value.string() : value.other()->text;
+}
+
+std::vector<GivenTable> tables_of(const StudyValue& root) {
+  std::vector<GivenTable> tables;
+  const auto add = [&](const std::string& name, const StudyValue& value) {
+    if (value.table() && !value.table()->empty()) tables.push_back({name, words_of_value(value, "; ")});
+  };
+  for (const char* name : told_tables) {
+    const StudyValue* found = root.find(name);
+    if (!found) continue;
+    add(name, *found);
+    for (std::size_t k = 0; found->array() && k < found->array()->size(); ++k)
+      add(fmt::format("{} {}", name, k + 1), (*found->array())[k]);
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::vector<GivenTable> given_tables(const std::string& toml_text, const std::string& name,
+                                     const std::vector<std::string>& overrides) {
+  return tables_of(study::parse_study_file(toml_text, name, overrides).root);
+}
+
+std::vector<GivenTable> given_tables(const Study& study) {
+  return study.scales ? given_tables(to_physical_toml(study), study.name) : tables_of(to_tree(study));
+}
+
+GivenMachine given_machine(const std::string& toml_text, const std::string& name,
+                           const std::vector<std::string>& overrides, const StopFlag* stop) {
+  const Study study = parse_study(toml_text, name, overrides);
+  check_pages(study);
+  StudyCheck checked = check_study(toml_text, name, overrides, stop);
+  // A page's starts draw them.
+  std::erase_if(checked.assumed, [](const std::string& text) { return text.starts_with(medians_assumed); });
+  return {given_tables(toml_text, name, overrides), explain(study, stop), std::move(checked.assumed),
+          std::move(checked.most)};
+}
+
+GivenMachine given_machine(const Study& study) {
+  check_pages(study);
+  return {given_tables(study), explain(study), {}, {}};
+}
+
+namespace {
+
 // The study's statements, what follows, rules of thumb and warnings.
 void add_machine(Document& document, const GivenMachine& machine) {
   if (!machine.assumed.empty()) {
@@ -139,7 +239,7 @@ void add_machine(Document& document, const GivenMachine& machine) {
   }
   document.add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", "in the study"}};
-  for (const auto& [name, keys] : machine.given) table.rows.push_back({{name, Tone::plain, false, true}, {keys}});
+  for (const auto& [name, keys] : machine.given) table.rows.push_back({label_cell(name), {keys}});
   document.add(std::move(table));
   document.add(facts_table(machine.explanation));
   if (DocumentTable rules = advice_table(machine.explanation); !rules.rows.empty()) document.add(std::move(rules));

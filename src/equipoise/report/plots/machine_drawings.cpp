@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -22,11 +22,9 @@ using study::Dimension;
 constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{264.0, 130.0};
 constexpr double plot_width = 272.0, plot_height = 166.0;
 
-double end_of(const ShownRun& run) { return run.t.back(); }
-
 AxisExtent time_extent(const MachinePage& page) {
   double end = 0.0;
-  for (const ShownRun& run : page.runs) end = std::max(end, end_of(run));
+  for (const ShownRun& run : page.runs) end = std::max(end, run.t.back());
   return {0.0, end};
 }
 
@@ -236,24 +234,17 @@ std::string run_up_svg(const MachinePage& page) {
 }
 
 DrawingRow run_up_drawing(const MachinePage& page) {
-  DrawingRow row;
-  row.size = DrawingSize::whole;
-  row.drawings.push_back({"", run_up_svg(page), "", ""});
-  row.caption = runs_caption(page);
-  return row;
+  return {{{"", run_up_svg(page)}}, runs_caption(page), DrawingSize::whole};
 }
 
 DrawingRow ends_drawing(const MachinePage& page) {
   const Study& study = page.basin.study;
-  DrawingRow row;
-  row.drawings.push_back({"", shares_svg(page), "", ""});
+  DrawingRow row{{{"", shares_svg(page)}}};
   for (const DrawnMotion& motion : page.motions)
     if (!motion.x.empty()) row.drawings.push_back(motion_drawing(page, motion));
   for (const FigureDistribution& d : page.peaks)
-    row.drawings.push_back(
-        {capitalised(d.limited->figure().title) + ", all starts", distribution_svg(page, d), "", ""});
-  if (!page.runs.empty() && !run_up_tells_speed(page))
-    row.drawings.push_back({"Speed over time", speed_svg(page), "", ""});
+    row.drawings.push_back({capitalised(d.limited->figure().title) + ", all starts", distribution_svg(page, d)});
+  if (!page.runs.empty() && !run_up_tells_speed(page)) row.drawings.push_back({"Speed over time", speed_svg(page)});
   row.caption =
       study.parameters.tilts()
           ? fmt::format(

@@ -67,10 +67,8 @@ std::string map_svg(const BasinSlice& map) {
 
 DrawingRow map_drawing(const BasinSlice& whole) {
   const BasinSlice map = thinned(whole, most_drawn_pixels);
-  DrawingRow row;
-  row.size = DrawingSize::wide;
-  row.drawings.push_back({"", map_svg(map), "", ""});
-  row.caption = "One start at every point. Darker pixels were decided later.";
+  DrawingRow row{
+      {{"", map_svg(map)}}, "One start at every point. Darker pixels were decided later.", DrawingSize::wide};
   if (map.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", map.every);
   row.details = parameters_text(map.study, {map.x.key, map.y.key}) + (map.complete ? "" : " (PARTIAL: stopped early)");
   return row;

@@ -6,10 +6,10 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 
 namespace equipoise {
 
@@ -36,10 +36,6 @@ double ball_pixels(const model::Parameters& p, std::size_t i) {
   else if (p.balls_collide())
     radius = std::sin(0.5 * p.contact_angle);
   return radius > 0.0 ? std::clamp(radius * race, 4.0, 16.0) : 7.0;
-}
-
-SvgPoint on_race(double angle, double radius) {
-  return {race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
 }
 
 // Races in different planes are drawn inside each other.
@@ -91,7 +87,8 @@ void draw_balls(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
   }
   for (std::size_t i = 0; i < motion.balls.size(); ++i) {
     const double size = ball_pixels(p, i);
-    const SvgPoint at = on_race(place_of(motion.balls[i]), race_of_ball(p, i));
+    const double angle = place_of(motion.balls[i]), radius = race_of_ball(p, i);
+    const SvgPoint at{race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
     svg.circle(at, size, {"var(--paper)", colour, 1.2});
     // Balls that travel as one carry all their numbers.
     std::string number;

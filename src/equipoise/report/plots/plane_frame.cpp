@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/drawing/raster.hpp"
-#include "equipoise/report/text/cell_text.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/csv.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 
 namespace equipoise {
@@ -148,7 +146,7 @@ void PlanePicture::fill(int columns, int rows, const std::function<std::string(i
   Raster raster{static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), {}, {}};
   for (int row = rows - 1; row >= 0; --row)
     for (int column = 0; column < columns; ++column) raster.add(colour(column, row));
-  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster));
+  svg.image(plane_top_left, plane_side, plane_side, raster);
 }
 
 void PlanePicture::draw(const std::vector<Border>& borders) {

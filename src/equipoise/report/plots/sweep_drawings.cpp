@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 
 namespace equipoise {

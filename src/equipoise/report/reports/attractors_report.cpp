@@ -11,7 +11,6 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/grade_text.hpp"
@@ -58,7 +57,7 @@ std::string search_text(const AttractorsResult& r) {
 }
 
 // A number in the unit in which results are shown.
-double shown(const Study& study, double value, Dimension d) { return value * study::shown_unit(d, study.scales).size; }
+double shown(const Study& study, double value, Dimension d) { return value * unit_of(study, d).size; }
 
 // What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
 std::vector<std::string> motor_texts(const Motion& m, const Study& study) {
@@ -114,7 +113,7 @@ Document document_of(const AttractorsResult& r) {
   const bool physical = study.scales.has_value(), driven = study.speed.driven();
   Document document = document_with(study, "", "");
   const auto titled = [&](const char* title, Dimension d) {
-    return physical ? fmt::format("{}, {}", title, study::shown_unit(d, study.scales).name) : std::string(title);
+    return physical ? fmt::format("{}, {}", title, unit_of(study, d).name) : std::string(title);
   };
   DocumentTable table;
   table.header = {"id",
@@ -186,7 +185,7 @@ std::string json_text(const AttractorsResult& r) {
   Json json;
   json["attractors"] = list_of(r.attractors, [&](const Attractor& a) {
     const OutcomeShare& of = share_of(r, a.id);
-    Json one = motion_json(a, b.study);
+    Json one = PartOf{a, b.study};
     put_left_unbalance(one, of, b.study);
     put(one, "share", of.share.share, "share_interval", std::array{of.share.low, of.share.high}, "starts",
         of.share.count, "state", leading(a.motion.state, a.motion.state.size()));

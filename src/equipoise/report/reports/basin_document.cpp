@@ -1,5 +1,5 @@
-// An ensemble as a document: the verdict, what the machine does, its transients, and how that was computed; on a page
-// with drawings.
+// An ensemble as one document: the verdict, what matters most of vibration, the outcomes, what was computed; in full
+// with transients and the grounds of decisions; on a page with drawings.
 #include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
@@ -11,18 +11,18 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/answers/sampling_text.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/quantities.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/basin_summary.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/reports/basin_parts.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/json.hpp"
+#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/text.hpp"
 
 namespace equipoise {
@@ -109,21 +109,45 @@ class BasinDocument {
     if (r.transients) all_ = r.transients->of(std::nullopt);
   }
 
-  Document make() {
+  Document make(bool brief) {
     const auto verdict = verdict_of(r_, tried_);
     std::optional<Notice> notice;
     if (verdict) notice = verdict_notice(*verdict);
     const std::string answer = notice && !page_ ? "" : answer_sentence(r_);  // a page has room for both
     document_ = document_with(study_, answer, r_.own_starts ? "" : uncertain_text(study_), notice);
-    add_stopped(document_, r_);
-    const bool balls = study_.parameters.balls > 0;
-    add_note(document_, r_);
+    if (brief) document_.blocks.pop_back();  // the study is at the end, in short
+    stopped();
+    if (study_.parameters.balls > 0 && !r_.note.empty())
+      document_.add(Paragraph{fmt::format("Note: {}.", note_text(study_, r_.note)), Tone::open});
+    brief ? in_brief() : in_full();
+    return std::move(document_);
+  }
+
+ private:
+  void in_brief() {
+    hanging();
+    if (study_.parameters.balls == 0 && r_.without_balls) {
+      document_.add(bare_table(r_));
+      say(without_balls_words(r_));
+    } else if (r_.starts > 0) {
+      // Vibration is what counts in a machine, and probabilities in a rotor without units.
+      std::vector<DocumentTable> tables{outcome_table(r_, true)};
+      if (all_) tables.insert(study_.scales ? tables.begin() : tables.end(), short_table(r_));
+      for (DocumentTable& table : tables) document_.add(std::move(table));
+      if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
+      if (tells_without_balls(r_)) say(not_steady_words(r_.without_balls->bare, "Without balls", study_));
+    }
+    in_short();
+  }
+
+  void in_full() {
     if (page_) changes();
     if (page_ && !page_->runs.empty()) {
       const bool constant = study_.speed.profile == Profile::constant;
       document_.add(Heading{2, constant ? "How it vibrates" : "How it vibrates during start-up", ""});
       document_.add(run_up_drawing(*page_));
     }
+    const bool balls = study_.parameters.balls > 0;
     if (!balls && r_.without_balls) alone();
     if (balls && r_.starts > 0) {
       ends();
@@ -132,10 +156,29 @@ class BasinDocument {
       more();
     }
     origin();
-    return std::move(document_);
   }
 
- private:
+  void say(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) document_.add(Paragraph{sentence});
+  }
+
+  // That the result was stopped early, if so.
+  void stopped() {
+    if (study_.parameters.balls == 0 ? r_.without_balls.has_value() : !r_.partial && r_.starts > 0) return;
+    std::string text = "PARTIAL: stopped before anything was known.";
+    if (study_.parameters.balls > 0)
+      text = r_.starts == 0 ? "PARTIAL: stopped before the first start was decided; there are no shares."
+                            : fmt::format("PARTIAL: stopped after {}{} starts; all figures are of those.", r_.starts,
+                                          r_.asked > 0 ? fmt::format(" of {}", r_.asked) : "");
+    document_.add(Paragraph{text, Tone::bad});
+  }
+
+  // A warning if balls may hang at the final speed.
+  void hanging() {
+    if (const std::string words = hanging_text(study_); !words.empty())
+      document_.add(Paragraph{fmt::format("Warning: {}.", words), Tone::open});
+  }
+
   void changes() {
     DocumentTable table = changes_table(r_, tried_);
     if (table.rows.empty()) return;
@@ -148,7 +191,7 @@ class BasinDocument {
     document_.add(Heading{2, "The rotor alone", ""});
     document_.add(Paragraph{bare_words(r_)});
     document_.add(bare_table(r_));
-    for (const std::string& sentence : without_balls_words(r_)) document_.add(Paragraph{sentence});
+    say(without_balls_words(r_));
     kept();
   }
 
@@ -176,8 +219,7 @@ class BasinDocument {
     if (!all_) return;
     document_.add(Heading{2, "On the way", ""});
     document_.add(way_table(r_));
-    if (tells_without_balls(r_))
-      for (const std::string& sentence : without_balls_words(r_)) document_.add(Paragraph{sentence});
+    if (tells_without_balls(r_)) say(without_balls_words(r_));
   }
 
   void more() {
@@ -186,7 +228,7 @@ class BasinDocument {
     if (!page_) document_.add_lines(decided_text(r_));
     if (r_.passed) document_.add_lines(passage_text(r_));
     if (r_.met) document_.add_lines(contact_text(*r_.met));
-    if (!page_) add_hanging(document_, study_);
+    if (!page_) hanging();
     document_.add_lines(sampling_text(r_));
   }
 
@@ -208,6 +250,46 @@ class BasinDocument {
     add_origin(document_, study_, words, computed);
   }
 
+  // What the numbers are of.
+  void in_short() {
+    const model::Parameters& p = study_.parameters;
+    const auto shown = [&](double value, Dimension d) { return shown_.text(value, d); };
+    std::string words = study_.scales
+                            ? fmt::format("Machine: {}", shown(1.0, Dimension::mass))
+                            : fmt::format("Rotor: eccentricity {:.4g}, damping {:.4g}", p.eccentricity, p.damping[0]);
+    if (!p.tilts() && study_.scales) {
+      const auto critical = model::critical_speeds(p);
+      words += fmt::format(", critical speed {}", shown(critical[0], Dimension::speed));
+      if (critical[0] != critical[1]) words += fmt::format(" and {} (x, y)", shown(critical[1], Dimension::speed));
+    }
+    if (!study_.speed.driven())
+      words += fmt::format(", run at {}", shown(study_.speed_profile().final_speed(), Dimension::speed));
+    words += fmt::format("; {} ball{}", p.balls, plural(p.balls));
+    if (p.balls > 0 && study_.scales) words += fmt::format(" on a circle of {}", shown(1.0, Dimension::length));
+    if (study_.speed.law == model::SpeedLaw::published && study_.speed.profile != Profile::constant)
+      words += "; PUBLISHED speed law, psi = t Omega(t)";
+    words += ".";
+    if (const std::string held = release_text(study_); p.balls > 0 && !held.empty())
+      words += fmt::format(" {}.", capitalised(held));
+    if (all_)
+      words +=
+          tells_without_balls(r_) ? " \"No balls\" and \"with balls\" are medians." : " \"With balls\" is the median.";
+    if (all_ && !study_.scales) words += " Units: R, R omega_c, M R omega_c^2, 1/omega_c.";
+    if (all_ && study_.parameters.gravity != 0.0)
+      words += " Displacements are from where the rotor rests; forces include its weight.";
+    if (all_ && study_.parameters.tilts()) words += " Where along the shaft figures are taken: --details.";
+    if (r_.starts > 0) {
+      const std::vector<std::string> drawn = drawn_keys(study_);
+      const bool plain = study_.sampling.method.value_or(SamplingMethod::random) == SamplingMethod::random &&
+                         drawn.empty() && study_.sampling.box.empty() && drawn_instead(study_).empty();
+      words += fmt::format(" {} runs{},", r_.starts,
+                           r_.own_starts ? " from given starts"
+                           : plain       ? fmt::format(", seed {}", study_.sampling.seed)
+                                         : " " + starts_words(study_, drawn));
+    }
+    document_.add(Paragraph{fmt::format("{} {:.2g} s CPU time. More: --details, --json.", words, r_.cpu_seconds)});
+  }
+
   const BasinResult& r_;
   const std::span<const TriedChange> tried_;
   const MachinePage* page_;  // null: no drawings
@@ -220,12 +302,11 @@ class BasinDocument {
 }  // namespace
 
 std::string basin_text(const BasinResult& result, const TextStyle& style, std::span<const TriedChange> tried) {
-  return document_text(style.details ? BasinDocument(result, tried, nullptr).make() : basin_summary(result, tried),
-                       style);
+  return document_text(BasinDocument(result, tried, nullptr).make(!style.details), style);
 }
 
 std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
-  return document_page(BasinDocument(page.basin, tried, &page).make(), page.basin.study, page);
+  return document_page(BasinDocument(page.basin, tried, &page).make(false), page.basin.study, page);
 }
 
 }  // namespace equipoise

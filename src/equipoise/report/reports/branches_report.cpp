@@ -10,7 +10,7 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/json.hpp"
@@ -103,19 +103,23 @@ std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ran
   return text.empty() ? "nowhere" : text;
 }
 
-Json point_json(const BranchPoint& point, int balls) {
-  const Motion& m = point.motion;
-  Json json = object("value", point.value, "kind", name_of(m.kind), "stable", m.stable, "period",
-                     motion_number("period").value(m), "radial", extremes(m.r_min, m.r_mean, m.r_max), "multiplier",
-                     largest_multiplier(m), "growth_rate", growth_rate(m), "drift", leading(m.drift, balls), "state",
-                     leading(m.state, m.state.size()));
+}  // namespace
+
+void to_json(Json& json, const PartOf<BranchPoint, Study>& of) {
+  const Motion& m = of.part.motion;
+  json = object("value", of.part.value, "kind", name_of(m.kind), "stable", m.stable, "period",
+                motion_number("period").value(m), "radial", extremes(m.r_min, m.r_mean, m.r_max), "multiplier",
+                largest_multiplier(m), "growth_rate", growth_rate(m), "drift",
+                leading(m.drift, of.whole.parameters.balls), "state", leading(m.state, m.state.size()));
   if (m.motor)
     put(json, "speed", extremes(m.motor->speed_min, m.speed, m.motor->speed_max), "torque", m.motor->torque, "power",
         m.motor->power);
-  return json;
 }
 
-}  // namespace
+void to_json(Json& json, const BranchEvent& e) {
+  json = object("id", e.id, "change", name_of(e.change), "type", name_of(e.cause), "between", std::array{e.low, e.high},
+                "radial", extremes(e.r_min, e.r_mean, e.r_max));
+}
 
 Document document_of(const BranchesResult& r) {
   const std::string label = parameter_label(r.key);
@@ -163,13 +167,11 @@ std::string json_text(const BranchesResult& r) {
     Json stable = Json::array();
     for (const ValueRange& range : ranges)
       if (range.stable) stable.push_back({range.begin, range.end});
-    branches.push_back(object(
-        "id", b.id, "name", b.name, "alias", b.alias, "exists", std::array{ranges.front().begin, ranges.back().end},
-        "ends_known", std::array{begin_is_known(r, b), end_is_known(r, b)}, "stable", stable, "points",
-        list_of(b.points, [&](const BranchPoint& point) { return point_json(point, r.study.parameters.balls); })));
-    for (const BranchEvent& e : b.events)
-      events.push_back(object("id", e.id, "change", name_of(e.change), "type", name_of(e.cause), "between",
-                              std::array{e.low, e.high}, "radial", extremes(e.r_min, e.r_mean, e.r_max)));
+    branches.push_back(object("id", b.id, "name", b.name, "alias", b.alias, "exists",
+                              std::array{ranges.front().begin, ranges.back().end}, "ends_known",
+                              std::array{begin_is_known(r, b), end_is_known(r, b)}, "stable", stable, "points",
+                              PartOf{b.points, r.study}));
+    for (const BranchEvent& e : b.events) events.push_back(e);
   }
   Json json = object("parameter", r.key, "values", r.values, "branches", branches, "events", events, "starts", r.starts,
                      "partial", r.partial);
@@ -186,11 +188,9 @@ std::string branches_csv(const BranchesResult& r) {
     for (const BranchEvent& e : b.events)
       text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
                           e.low, e.high);
-  text += r.key + ",id,name,alias,kind,stable";
-  for (const MotionNumber& f : motion_numbers) text += std::string(",") + f.name;
+  text += r.key + ",id,name,alias,kind,stable" + csv_names(motion_numbers);
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
-  if (r.study.speed.driven())
-    for (const MotionNumber& f : motor_numbers) text += std::string(",") + f.name;
+  if (r.study.speed.driven()) text += csv_names(motor_numbers);
   text += "\n";
   for (std::size_t k = 0; k < r.values.size(); ++k) {
     for (const Branch& b : r.branches) {
@@ -199,10 +199,9 @@ std::string branches_csv(const BranchesResult& r) {
       const Motion& m = at->motion;
       text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), csv_text(b.alias), name_of(m.kind),
                           m.stable);
-      for (const MotionNumber& f : motion_numbers) text += "," + csv_number(f.value(m));
+      text += csv_numbers(motion_numbers, m);
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
-      if (m.motor)
-        for (const MotionNumber& f : motor_numbers) text += "," + csv_number(f.value(m));
+      if (m.motor) text += csv_numbers(motor_numbers, m);
       text += "\n";
     }
   }

@@ -12,12 +12,10 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
-#include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -114,9 +112,10 @@ Document document_of(const CapacityResult& r) {
     document.add(Heading{2, r.axes.empty() ? "Starts that " + r.asked() : "The largest " + key_words(r.key), ""});
     DrawingRow row =
         drawn(capacity_plots(r),
-              r.axes.empty() ? fmt::format("Share of the starts that {} at every value tried, with its 95 % interval.", r.asked())
-                             : "A stroke is a 95 % interval: below its lower end the share is shown to be large "
-                               "enough, above its upper end it is shown to be too small.");
+              r.axes.empty()
+                  ? fmt::format("Share of the starts that {} at every value tried, with its 95 % interval.", r.asked())
+                  : "A stroke is a 95 % interval: below its lower end the share is shown to be large "
+                    "enough, above its upper end it is shown to be too small.");
     row.details = question + (r.complete() ? "" : " PARTIAL: stopped early.");
     document.add(std::move(row));
   }
@@ -134,24 +133,24 @@ Document document_of(const CapacityResult& r) {
   return document;
 }
 
+void to_json(Json& json, const CapacityTrial& t) {
+  json = object("value", t.value);
+  json.update(Json(t.balanced));
+  put(json, "undecided", t.undecided.share, "unstable", t.unstable);
+}
+
 std::string json_text(const CapacityResult& r) {
   Json cells = Json::array(), open_cells = Json::array();
-  const auto trial = [](const CapacityTrial& t) {
-    Json one = object("value", t.value);
-    one.update(Json(t.balanced));
-    put(one, "undecided", t.undecided.share, "unstable", t.unstable);
-    return one;
-  };
   visit_done(r.cells, [&](std::size_t index, const CapacityCell& cell) {
-    cells.push_back(object("at", at_json(r.axes, index), "value", cell.value, "low", cell.low, "high", cell.high,
-                           "always", cell.always, "never", cell.never, "trials", list_of(cell.trials, trial)));
+    cells.push_back(object("at", PartOf{index, r.axes}, "value", cell.value, "low", cell.low, "high", cell.high,
+                           "always", cell.always, "never", cell.never, "trials", cell.trials));
   });
   visit_done(r.open, [&](std::size_t index, const OpenCapacity& open) {
     open_cells.push_back(
-        object("at", at_json(r.axes, index), "low", open.low, "high", open.high, "trials", open.trials));
+        object("at", PartOf{index, r.axes}, "low", open.low, "high", open.high, "trials", open.trials));
   });
   Json json = object("of", r.key, "unit", r.unit, "at_least", r.at_least, "by", r.by, "from", r.from, "to", r.to,
-                     "over", over_json(r.axes), "partial", !r.complete(), "cells", cells, "open", open_cells,
+                     "over", parameters_of(r.axes), "partial", !r.complete(), "cells", cells, "open", open_cells,
                      "confidence", 0.95, "starts", r.starts, "resumed_trials", r.resumed_trials);
   add_computed(json, r);
   return json.dump(2) + "\n";

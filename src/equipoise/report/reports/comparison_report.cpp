@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/motion_words.hpp"
+#include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
@@ -101,30 +101,32 @@ Document document_of(const ComparisonResult& r) {
   return document;
 }
 
+void to_json(Json& json, const ComparedShare& s) {
+  json = object("name", s.name, "alias", s.alias);
+  json.update(Json(s.difference));
+  put(json, "first", s.first, "second", s.second);
+}
+
+void to_json(Json& json, const ComparedLimits& l) {
+  json = l.difference;
+  put(json, "surely_low", l.surely_low, "surely_high", l.surely_high, "first", l.first, "second", l.second, "alike",
+      l.alike);
+}
+
+void to_json(Json& json, const ComparedFigure& f) {
+  const MeanDifference& m = f.mean;
+  json = object("name", f.name, "unit", f.unit, "first", m.first, "second", m.second, "difference", m.difference, "low",
+                m.low, "high", m.high, "counts", std::array{m.first_count, m.second_count}, "open",
+                std::array{f.first_open, f.second_open});
+}
+
+void to_json(Json& json, const ChangedOutcome& c) { json = object("from", c.from, "to", c.to, "starts", c.starts); }
+
 std::string json_text(const ComparisonResult& r) {
-  Json json;
-  json["differences"] = list_of(r.shares, [](const ComparedShare& s) {
-    Json one = object("name", s.name, "alias", s.alias);
-    one.update(Json(s.difference));
-    put(one, "first", s.first, "second", s.second);
-    return one;
-  });
-  json["figures"] = list_of(r.figures, [](const ComparedFigure& f) {
-    const MeanDifference& m = f.mean;
-    return object("name", f.name, "unit", f.unit, "first", m.first, "second", m.second, "difference", m.difference,
-                  "low", m.low, "high", m.high, "counts", std::array{m.first_count, m.second_count}, "open",
-                  std::array{f.first_open, f.second_open});
-  });
-  put(json, "common", r.common, "starts", r.starts, "changed", r.changed ? Json(r.changed->count) : Json(),
-      "changed_share", r.changed, "changes", list_of(r.changes, [](const ChangedOutcome& c) {
-        return object("from", c.from, "to", c.to, "starts", c.starts);
-      }));
-  json["balanced_surely"] = object("low", r.surely_low, "high", r.surely_high);
-  if (r.limits) {
-    json["limits"] = r.limits->difference;
-    put(json["limits"], "surely_low", r.limits->surely_low, "surely_high", r.limits->surely_high, "first",
-        r.limits->first, "second", r.limits->second, "alike", r.limits->alike);
-  }
+  Json json = object("differences", r.shares, "figures", r.figures, "common", r.common, "starts", r.starts, "changed",
+                     r.changed ? Json(r.changed->count) : Json(), "changed_share", r.changed, "changes", r.changes,
+                     "balanced_surely", object("low", r.surely_low, "high", r.surely_high));
+  put_known(json, "limits", r.limits);
   put(json, "verdict", verdict(r), "partial", r.partial, "first", r.first, "second", r.second, "version",
       version_string);
   return json.dump(2) + "\n";

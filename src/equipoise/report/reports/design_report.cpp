@@ -17,7 +17,6 @@
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -26,38 +25,6 @@
 namespace equipoise {
 
 namespace {
-
-// What has no end is written as null.
-Json candidate_json(const DesignResult& r, const DesignCandidate& c) {
-  const DesignSample& sample = c.best_known();
-  Json variables = Json::object(), objectives = Json::object(), constraints = Json::object();
-  for (const DesignSetting& s : c.settings) variables[s.key] = s.value;
-  if (!sample.figures.empty()) {
-    for (const std::size_t k : r.objectives) {
-      Json& objective = objectives[r.figures[k].name] = sample.figures[k];
-      if (c.held_out && !c.search.figures.empty()) put(objective, "on_search_starts", c.search.figures[k].value);
-    }
-    for (const DesignLimit& limit : r.limits) {
-      const DesignEstimate& e = sample.figures[limit.figure];
-      Json& one = constraints[r.figures[limit.figure].name] = e;
-      put_known(one, "below", limit.below, "above", limit.above);
-      put(one, "kept", keeps(limit, e.value), "surely", surely_keeps(limit, e));
-    }
-  }
-  return object("as_it_is", c.as_it_is, "things", things_chosen(r.study, c.settings), "variables", variables,
-                "objectives", objectives, "constraints", constraints, "undecided", sample.undecided, "starts",
-                sample.starts, "held_out", c.held_out.has_value());
-}
-
-Json margin_json(const DesignResult& r, const DesignMargin& m) {
-  const auto point = [&](const DesignPoint& p) {
-    Json figures = Json::object();
-    for (std::size_t k = 0; k < p.sample.figures.size(); ++k) figures[r.figures[k].name] = p.sample.figures[k];
-    return object("value", p.given, "figures", figures, "starts", p.sample.starts);
-  };
-  return object("unit", m.unit, "value", m.value, "keeps_from", m.keeps_from, "keeps_to", m.keeps_to, "fails_below",
-                m.fails_below, "fails_above", m.fails_above, "effect", m.effect, "points", list_of(m.points, point));
-}
 
 std::string estimate_or_dash(const DesignResult& r, const DesignSample* s, std::size_t k) {
   return s && !s->figures.empty() ? estimate_with_interval(r.figures[k], s->figures[k]) : "-";
@@ -134,7 +101,7 @@ DocumentTable margin_table(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   DocumentTable table{{"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}};
   for (const DesignMargin& m : r.margins) {
-    const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+    const bool ordered = has_ends(m);
     table.rows.push_back(row_of(
         "lnnnnt", {thing_of(m.key), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
                    ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
@@ -177,7 +144,7 @@ DocumentTable chosen_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   DocumentTable table{{"chosen", "value", "could be"}};
   for (std::size_t k = 0; k < best.settings.size(); ++k)
-    table.rows.push_back({{thing_of(best.settings[k].key), Tone::plain, false, true},
+    table.rows.push_back({label_cell(thing_of(best.settings[k].key)),
                           value_cell(best.settings[k].value),
                           {range_words(r.variables[k])}});
   return table;
@@ -244,30 +211,66 @@ Document document_of(const DesignResult& r) {
   return document;
 }
 
+// What has no end is written as null.
+void to_json(Json& json, const PartOf<DesignCandidate, DesignResult>& of) {
+  const auto& [c, r] = of;
+  const DesignSample& sample = c.best_known();
+  Json variables = Json::object(), objectives = Json::object(), constraints = Json::object();
+  for (const DesignSetting& s : c.settings) variables[s.key] = s.value;
+  if (!sample.figures.empty()) {
+    for (const std::size_t k : r.objectives) {
+      Json& objective = objectives[r.figures[k].name] = sample.figures[k];
+      if (c.held_out && !c.search.figures.empty()) put(objective, "on_search_starts", c.search.figures[k].value);
+    }
+    for (const DesignLimit& limit : r.limits) {
+      const DesignEstimate& e = sample.figures[limit.figure];
+      Json& one = constraints[r.figures[limit.figure].name] = e;
+      put_known(one, "below", limit.below, "above", limit.above);
+      put(one, "kept", keeps(limit, e.value), "surely", surely_keeps(limit, e));
+    }
+  }
+  json = object("as_it_is", c.as_it_is, "things", things_chosen(r.study, c.settings), "variables", variables,
+                "objectives", objectives, "constraints", constraints, "undecided", sample.undecided, "starts",
+                sample.starts, "held_out", c.held_out.has_value());
+}
+
+void to_json(Json& json, const PartOf<DesignPoint, DesignResult>& of) {
+  const auto& [p, r] = of;
+  Json figures = Json::object();
+  for (std::size_t k = 0; k < p.sample.figures.size(); ++k) figures[r.figures[k].name] = p.sample.figures[k];
+  json = object("value", p.given, "figures", figures, "starts", p.sample.starts);
+}
+
+void to_json(Json& json, const PartOf<DesignMargin, DesignResult>& of) {
+  const DesignMargin& m = of.part;
+  json = object("unit", m.unit, "value", m.value, "keeps_from", m.keeps_from, "keeps_to", m.keeps_to, "fails_below",
+                m.fails_below, "fails_above", m.fails_above, "effect", m.effect, "points", PartOf{m.points, of.whole});
+}
+
+void to_json(Json& json, const DesignStep& s) {
+  json = object("trajectories", s.trajectories, "violation", s.violation, "value", s.value);
+}
+
 std::string json_text(const DesignResult& r) {
   const DesignVerdict verdict = design_verdict(r);
-  const auto candidate = [&](const DesignCandidate& c) { return candidate_json(r, c); };
-  Json json = object("verdict", object("words", verdict.words, "because", verdict.because, "margins", verdict.margins),
-                     "front", list_of(r.front, candidate), "chosen", r.chosen ? candidate(r.front[*r.chosen]) : Json(),
-                     "before", nullptr);
+  Json json =
+      object("verdict", object("words", verdict.words, "because", verdict.because, "margins", verdict.margins), "front",
+             PartOf{r.front, r}, "chosen", r.chosen ? Json(PartOf{r.front[*r.chosen], r}) : Json(), "before", nullptr);
   if (r.before && !r.before->figures.empty()) {
     DesignCandidate as_it_is;
     as_it_is.search = *r.before;
     as_it_is.as_it_is = true;
-    json["before"] = candidate(as_it_is);
+    json["before"] = PartOf{as_it_is, r};
     json["before"]["held_out"] = r.chosen && r.front[*r.chosen].held_out.has_value();
   }
   Json units = Json::object(), margins = Json::object();
   for (const DesignFigure& f : r.figures) units[f.name] = f.unit;
-  for (const DesignMargin& m : r.margins) margins[m.key] = margin_json(r, m);
-  const auto step = [](const DesignStep& s) {
-    return object("trajectories", s.trajectories, "violation", s.violation, "value", s.value);
-  };
+  for (const DesignMargin& m : r.margins) margins[m.key] = PartOf{m, r};
   put(json, "feasible", r.feasible, "leave_out", r.leave_out, "trajectories", r.trajectories, "budget", r.budget,
       "candidates", r.candidates, "method", design_method_names[static_cast<std::size_t>(r.method)], "units", units,
-      "margins", margins, "limited_by", r.limited_by, "history", list_of(r.history, step), "partial", r.partial,
-      "confidence", 0.95, "search_seed", r.search_seed, "held_out_seed", r.held_out_seed, "resumed", r.resumed,
-      "best_study", r.best_study, "proposed_design", r.proposed.empty() ? Json() : Json(r.proposed));
+      "margins", margins, "limited_by", r.limited_by, "history", r.history, "partial", r.partial, "confidence", 0.95,
+      "search_seed", r.search_seed, "held_out_seed", r.held_out_seed, "resumed", r.resumed, "best_study", r.best_study,
+      "proposed_design", r.proposed.empty() ? Json() : Json(r.proposed));
   add_computed(json, r);
   return json.dump(2) + "\n";
 }

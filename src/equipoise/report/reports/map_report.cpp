@@ -11,8 +11,7 @@
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
 #include "equipoise/report/text/json.hpp"
@@ -169,17 +168,23 @@ void to_json(Json& json, const SliceAxis& axis) {
   json = object("key", axis.key, "values", values);
 }
 
+void to_json(Json& json, const AngleLink& link) {
+  json = object("ball", link.ball, "of", link.of, "offset", link.offset);
+}
+
+void to_json(Json& json, const LocalExponent& e) { json = object("from", e.from, "to", e.to, "value", e.value); }
+
+void to_json(Json& json, const SliceFigures& f) {
+  json = object("box_dimension", f.box_dimension, "uncertainty_exponent", f.uncertainty_exponent, "local_exponents",
+                f.local_exponents, "basin_entropy", f.basin_entropy, "boundary_basin_entropy", f.boundary_basin_entropy,
+                "balanced_radius", f.balanced_radius, "tolerance_flips", f.flipped);
+}
+
 std::string json_text(const BasinSlice& map) {
-  const SliceFigures& f = map.figures;
-  const auto tie = [](const AngleLink& link) {
-    return object("ball", link.ball, "of", link.of, "offset", link.offset);
-  };
   const auto code = [](const OutcomeShare& c) {
     return object("id", c.id, "name", c.name, "alias", c.alias, "pixels", c.share.count, "share", c.share.share);
   };
-  const auto exponent = [](const LocalExponent& e) { return object("from", e.from, "to", e.to, "value", e.value); };
-  std::string text =
-      object("x", map.x, "y", map.y, "ties", list_of(map.links, tie), "outcomes", list_of(map.codes, code)).dump();
+  std::string text = object("x", map.x, "y", map.y, "ties", map.links, "outcomes", list_of(map.codes, code)).dump();
   text.back() = ',';
   text += "\"outcome\":";
   append_rows(text, map.x.pixels, map.y.pixels, [&](std::size_t k) {
@@ -188,14 +193,9 @@ std::string json_text(const BasinSlice& map) {
   text += ",\"time\":";
   append_rows(text, map.x.pixels, map.y.pixels,
               [&](std::size_t k) { return std::isfinite(map.time[k]) ? std::optional(map.time[k]) : std::nullopt; });
-  Json json =
-      object("figures",
-             object("box_dimension", f.box_dimension, "uncertainty_exponent", f.uncertainty_exponent, "local_exponents",
-                    list_of(f.local_exponents, exponent), "basin_entropy", f.basin_entropy, "boundary_basin_entropy",
-                    f.boundary_basin_entropy, "balanced_radius", f.balanced_radius, "tolerance_flips", f.flipped),
-             "partial", !map.complete, "pixels", map.pixels, "pixels_open", open_pixels(map), "pixels_left_out",
-             map.pixels_left_out, "pixels_computed", map.pixels_computed, "pixels_kept", map.pixels_kept,
-             "draws_starts", draws_starts(map), "every", map.every);
+  Json json = object("figures", map.figures, "partial", !map.complete, "pixels", map.pixels, "pixels_open",
+                     open_pixels(map), "pixels_left_out", map.pixels_left_out, "pixels_computed", map.pixels_computed,
+                     "pixels_kept", map.pixels_kept, "draws_starts", draws_starts(map), "every", map.every);
   add_computed(json, map);
   return text + "," + json.dump().substr(1) + "\n";
 }

@@ -11,13 +11,11 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plots.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
-#include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -200,12 +198,15 @@ void add_notes(Document& document, const SweepResult& r) {
     document.add(Paragraph{fmt::format("{} more notes of single cells are in --json.", notes.size() - most)});
 }
 
-Json transients_json(const TransientGroup& group) {
-  Json transients = Json::object();
+}  // namespace
+
+// Of a cell, dimensionless.
+void to_json(Json& json, const TransientGroup& group) {
+  json = Json::object();
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     if (!group.tells(k)) continue;
     const SampleSummary& s = group.figures[k];
-    Json& figure = transients[transient_figures[k].name] = object("mean", s.mean, "largest", s.largest);
+    Json& figure = json[transient_figures[k].name] = object("mean", s.mean, "largest", s.largest);
     for (std::size_t q = 0; q < reported_quantiles.size(); ++q) {
       Json& quantile = figure["quantiles"][q] = object("at", reported_quantiles[q]);
       quantile.update(Json(s.quantiles[q]));
@@ -213,31 +214,27 @@ Json transients_json(const TransientGroup& group) {
   }
   const auto told = [](const Share& s) { return Json(s); };
   if (Json exceeded = by_name(group.exceeded, transient_limits, told); !exceeded.empty())
-    put(transients, "exceeded", exceeded);
-  if (Json within = by_name(group.within, within_names, sure); !within.empty()) put(transients, "within", within);
-  return transients;
+    put(json, "exceeded", exceeded);
+  if (Json within = by_name(group.within, within_names, sure); !within.empty()) put(json, "within", within);
 }
 
-Json cell_json(const SweepResult& r, std::size_t index, const SweepCell& cell) {
-  Json one = object("at", at_json(r.axes, index), "starts", cell.starts);
-  one["outcomes"] = list_of(cell.outcomes, [](const SweepOutcome& o) {
-    Json outcome = outcome_with(o, sure(o.share));
-    put(outcome, "mean_time", o.mean_time, "radial", extremes(o.r_min, o.r_mean, o.r_max), "period",
-        o.period > 0.0 ? Json(o.period) : Json());
-    if (!o.unbalance.empty())
-      put(outcome, "left_unbalance", object("probability", unbalance_quantiles, "unbalance", o.unbalance));
-    return outcome;
-  });
+void to_json(Json& json, const SweepOutcome& o) {
+  json = outcome_with(o, sure(o.share));
+  put(json, "mean_time", o.mean_time, "radial", extremes(o.r_min, o.r_mean, o.r_max), "period",
+      o.period > 0.0 ? Json(o.period) : Json());
+  if (!o.unbalance.empty())
+    put(json, "left_unbalance", object("probability", unbalance_quantiles, "unbalance", o.unbalance));
+}
+
+void to_json(Json& json, const SweepCell& cell) {
+  json = object("starts", cell.starts, "outcomes", cell.outcomes);
   for (const OutcomeShare& o : cell.others()) {
-    if (o.id == undecided_code && cell.passed) put(one, "passed", sure(*cell.passed));
-    one[o.name] = sure(o.share);
+    if (o.id == undecided_code && cell.passed) put(json, "passed", sure(*cell.passed));
+    json[o.name] = sure(o.share);
   }
-  if (cell.transients) put(one, "transients", transients_json(*cell.transients));
-  put(one, "balanced_stable", cell.balanced_stable, "note", cell.note);
-  return one;
+  if (cell.transients) put(json, "transients", *cell.transients);
+  put(json, "balanced_stable", cell.balanced_stable, "note", cell.note);
 }
-
-}  // namespace
 
 Document document_of(const SweepResult& r) {
   const Columns columns(r);
@@ -279,10 +276,13 @@ Document document_of(const SweepResult& r) {
 
 std::string json_text(const SweepResult& r) {
   Json cells = Json::array();
-  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) { cells.push_back(cell_json(r, index, cell)); });
-  Json json = object("over", over_json(r.axes), "zipped", r.axes.size() == 1 && r.axes.front().parameters.size() > 1,
-                     "partial", !r.complete(), "cells", cells, "confidence", 0.95, "half_width", r.half_width,
-                     "resumed_cells", r.resumed_cells);
+  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
+    cells.push_back(object("at", PartOf{index, r.axes}));
+    cells.back().update(Json(cell));
+  });
+  Json json = object("over", parameters_of(r.axes), "zipped",
+                     r.axes.size() == 1 && r.axes.front().parameters.size() > 1, "partial", !r.complete(), "cells",
+                     cells, "confidence", 0.95, "half_width", r.half_width, "resumed_cells", r.resumed_cells);
   add_computed(json, r);
   return json.dump(2) + "\n";
 }
@@ -291,9 +291,7 @@ std::string sweep_csv(const SweepResult& r) {
   std::string text =
       fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
   text += csv_study(r.study) + csv_titles(r.axes);
-  text += "starts,id,name,alias,kind,count,share,low,high";
-  for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
-  text += "\n";
+  text += "starts,id,name,alias,kind,count,share,low,high" + csv_names(motion_columns) + "\n";
   visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     const std::string at = csv_values(r.axes, index);
     const auto line = [&](const OutcomeShare& o, const std::string& motion) {
@@ -301,11 +299,7 @@ std::string sweep_csv(const SweepResult& r) {
       text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name),
                           csv_text(o.alias), csv_text(o.kind), s.count, s.share, s.low, s.high, motion);
     };
-    for (const SweepOutcome& o : cell.outcomes) {
-      std::string motion;
-      for (const MotionColumn& c : motion_columns) motion += "," + csv_number(c.value(o).value_or(NAN));
-      line(o, motion);
-    }
+    for (const SweepOutcome& o : cell.outcomes) line(o, csv_numbers(motion_columns, o));
     for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
   });
   return text;

@@ -27,7 +27,6 @@ using study::Dimension;
 
 using Unit = study::ShownUnit;
 
-Unit unit_of(const Study& study, Dimension d) { return study::shown_unit(d, study.scales); }
 Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, limit.told_in()); }
 
 constexpr const char* no_bound = "?";
@@ -50,7 +49,7 @@ std::vector<DocumentCell> figure_row(const TransientFigure& f, const SampleSumma
     return {fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
                         number(high, unit.size, open))};
   };
-  std::vector<DocumentCell> row{{fmt::format("{}, {}", f.title, unit.name), Tone::plain, false, true}};
+  std::vector<DocumentCell> row{label_cell(fmt::format("{}, {}", f.title, unit.name))};
   if (s.open == 0 && s.mean_low == s.mean_high) {  // one motion
     row.push_back({number(s.mean, unit.size, open) + ", the same for all starts"});
     row.resize(2 + s.quantiles.size());
@@ -100,13 +99,12 @@ void add_group(Document& document, const TransientGroup& group, const TransientR
         "residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)", *grade)});
 }
 
-Json figure_json(const SampleSummary& s, const Unit& unit) {
+Json with_unit(const SampleSummary& s, const Unit& unit) {
   const auto of_finite = [&](double value) { return s.open < s.count ? Json(value * unit.size) : Json(); };
   Json quantiles = Json::array();
   for (std::size_t k = 0; k < s.quantiles.size(); ++k) {
-    const QuantileEstimate& q = s.quantiles[k];
-    quantiles.push_back(object("probability", reported_quantiles[k], "value", q.value * unit.size, "low",
-                               q.low * unit.size, "high", q.high * unit.size));
+    quantiles.push_back(object("probability", reported_quantiles[k]));
+    quantiles.back().update(Json(times(s.quantiles[k], unit.size)));
   }
   return object("unit", unit.name, "count", s.count, "open", s.open, "mean", of_finite(s.mean), "mean_low",
                 of_finite(s.mean_low), "mean_high", of_finite(s.mean_high), "largest", s.largest * unit.size,
@@ -139,26 +137,6 @@ std::string times_words(const TransientGroup& with, const TransientGroup& bare, 
 
 std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
   return runs.one ? "" : fmt::format(" in {} of {} runs", count, runs.runs);
-}
-
-Json one_body_json(const OneBodyRuns& body, const Study& study) {
-  const TransientGroup& g = body.figures;
-  Json figures = Json::object();
-  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
-    const TransientFigure& f = transient_figures[k];
-    if (!f.of_bare_rotor || (f.needs && !(study.limits.*f.needs))) continue;
-    const Unit unit = unit_of(study, f.told_in());
-    // One run has no interval.
-    figures[f.name] = body.one ? object("unit", unit.name, "value", g.figures[k].quantiles[0].value * unit.size)
-                               : figure_json(g.figures[k], unit);
-  }
-  const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : sure(s); };
-  Json json = object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open,
-                     "lost", body.lost, "figures", figures, "within", by_name(g.within, within_names, told), "exceeded",
-                     by_name(g.exceeded, transient_limits, told));
-  if (g.starts > 0) put_known(json, "balance_grade", left_grade(g, study));
-  put_known(json, "mean_speed", g.mean_speed);
-  return json;
 }
 
 // For a tilting rotor: where along its shaft figures are taken, and in which planes its unbalance.
@@ -256,7 +234,7 @@ DocumentTable way_table(const BasinResult& r) {
   table.spare.push_back(numbers - 1);
   const auto add = [&](const std::string& title, const std::vector<std::string>& figures) {
     std::vector<DocumentCell>& row = table.rows.emplace_back();
-    row.push_back({title, Tone::plain, false, true});
+    row.push_back(label_cell(title));
     for (const std::string& text : figures) row.push_back(number_cell(text));
     while (row.size() < table.header.size()) row.push_back(number_cell("-"));
   };
@@ -347,10 +325,29 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
   return words;
 }
 
-Json without_balls_json(const WithoutBalls& without, const Study& study) {
-  Json json = object("no_balls", one_body_json(without.bare, study));
-  if (without.held.runs > 0) put(json, "balls_held", one_body_json(without.held, study));
-  return json;
+void to_json(Json& json, const PartOf<OneBodyRuns, Study>& of) {
+  const auto& [body, study] = of;
+  const TransientGroup& g = body.figures;
+  Json figures = Json::object();
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!f.of_bare_rotor || (f.needs && !(study.limits.*f.needs))) continue;
+    const Unit unit = unit_of(study, f.told_in());
+    // One run has no interval.
+    figures[f.name] = body.one ? object("unit", unit.name, "value", g.figures[k].quantiles[0].value * unit.size)
+                               : with_unit(g.figures[k], unit);
+  }
+  const auto told = [one = body.one](const Share& s) { return one ? Json(s.count > 0) : sure(s); };
+  json = object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open, "lost",
+                body.lost, "figures", figures, "within", by_name(g.within, within_names, told), "exceeded",
+                by_name(g.exceeded, transient_limits, told));
+  if (g.starts > 0) put_known(json, "balance_grade", left_grade(g, study));
+  put_known(json, "mean_speed", g.mean_speed);
+}
+
+void to_json(Json& json, const PartOf<WithoutBalls, Study>& of) {
+  json = object("no_balls", PartOf{of.part.bare, of.whole});
+  if (of.part.held.runs > 0) put(json, "balls_held", PartOf{of.part.held, of.whole});
 }
 
 namespace {
@@ -364,7 +361,7 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
   for (std::size_t k = 0; k < within_titles.size(); ++k) {
     if (!group.within[k]) continue;
     const Share& s = *group.within[k];
-    table.rows.push_back({{within_titles[k], Tone::plain, false, true}, share_cell(s), number_cell(interval(s))});
+    table.rows.push_back({label_cell(within_titles[k]), share_cell(s), number_cell(interval(s))});
     if (open) table.rows.back().push_back(number_cell(bounds_text(s)));
   }
   if (table.rows.empty()) return table;
@@ -439,7 +436,24 @@ void add_transients(Document& document, const TransientResult& r, const Study& s
   if (r.lost > 0) document.add(Paragraph{fmt::format("{} starts diverged or failed and are left out here.", r.lost)});
 }
 
-Json transient_json(const TransientResult& r, const Study& study) {
+void to_json(Json& json, const PartOf<TransientGroup, PartOf<TransientResult, Study>>& of) {
+  const TransientGroup& group = of.part;
+  const auto& [r, study] = of.whole;
+  json = object("name", group.name, "id", group.id, "starts", group.starts);
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!r.asks(f, study.limits)) continue;
+    Json& figure = json["figures"][f.name] = with_unit(group.figures[k], unit_of(study, f.told_in()));
+    if (f.needs) put(figure, "for_good", group.for_good(f));
+  }
+  put(json, "exceeded", by_name(group.exceeded, transient_limits, sure), "within",
+      by_name(group.within, within_names, sure), "exceeded_at_end",
+      by_name(group.exceeded_at_end, transient_limits, sure));
+  put_known(json, "balance_grade", left_grade(group, study), "mean_speed", group.mean_speed);
+}
+
+void to_json(Json& json, const PartOf<TransientResult, Study>& of) {
+  const auto& [r, study] = of;
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time);
   Json units, limits = Json::object();
   for (const TransientLimit& l : transient_limits) {
@@ -448,29 +462,14 @@ Json transient_json(const TransientResult& r, const Study& study) {
   }
   put(units, "time", time.name, "energy", unit_of(study, Dimension::energy).name);
   if (r.settings.watches_settling()) put(limits, "settled", r.settings.settled * length.size);
-  Json json = object("units", units, "window", r.settings.window * time.size, "static_sag",
-                     (0.0 - model::static_sag(study.parameters)) * length.size, "weight",
-                     (0.0 + model::total_weight(study.parameters)) * unit_of(study, Dimension::force).size);
+  json = object("units", units, "window", r.settings.window * time.size, "static_sag",
+                (0.0 - model::static_sag(study.parameters)) * length.size, "weight",
+                (0.0 + model::total_weight(study.parameters)) * unit_of(study, Dimension::force).size);
   const WatchedShaft& shaft = r.settings.shaft;
   if (study.parameters.tilts())
     put(json, "places", std::array{shaft.places[0] * length.size, shaft.places[1] * length.size}, "force_of",
         shaft.bearings.empty() ? "supports" : "bearing");
-  const auto group_json = [&](const TransientGroup& group) {
-    Json one = object("name", group.name, "id", group.id, "starts", group.starts);
-    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
-      const TransientFigure& f = transient_figures[k];
-      if (!r.asks(f, study.limits)) continue;
-      Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
-      if (f.needs) put(figure, "for_good", group.for_good(f));
-    }
-    put(one, "exceeded", by_name(group.exceeded, transient_limits, sure), "within",
-        by_name(group.within, within_names, sure), "exceeded_at_end",
-        by_name(group.exceeded_at_end, transient_limits, sure));
-    put_known(one, "balance_grade", left_grade(group, study), "mean_speed", group.mean_speed);
-    return one;
-  };
-  put(json, "limits", limits, "lost", r.lost, "groups", list_of(r.groups, group_json));
-  return json;
+  put(json, "limits", limits, "lost", r.lost, "groups", PartOf{r.groups, of});
 }
 
 }  // namespace equipoise

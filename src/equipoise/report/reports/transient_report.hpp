@@ -41,16 +41,15 @@ std::string bare_words(const BasinResult& result);
 std::vector<std::string> not_steady_words(const OneBodyRuns& body, const char* how, const Study& study);
 /// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
-/// The object "without_balls" of json_text(), in the units of transient_json().
-Json without_balls_json(const WithoutBalls& without, const Study& study);
 
 /// Starts within all limits, and how many hit the housing; none if no limit is stated.
 std::vector<Block> limits_blocks(const TransientGroup& group, const Study& study);
 /// For a study with limits.clearance: how many starts hit the housing. Otherwise empty.
 std::string clearance_words(const TransientGroup& group, const Study& study);
 
-/// The object "transients" of json_text(), in the same units, which it names.
-Json transient_json(const TransientResult& result, const Study& study);
+/// The objects "transients" and "without_balls" of json_text(), in the same units, which they name.
+void to_json(Json& json, const PartOf<TransientResult, Study>& transients);
+void to_json(Json& json, const PartOf<WithoutBalls, Study>& without);
 
 /// Shares of starts by the name of the limit that they exceed, or of the limits that they are within, each as `told`
 /// has it; without those that are not known.

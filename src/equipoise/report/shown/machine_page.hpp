@@ -9,7 +9,7 @@ namespace equipoise {
 
 /// Runs the ensemble and follows what is to be shown of it. Throws as basin() does. If stopped, the page holds what was
 /// done. `options`: as of basin(), except that transients are always gathered and starts always kept (the first
-/// million; on a grid all). `given`: what the study states (report/html/given_machine.hpp).
+/// million; on a grid all). `given`: what the study states (given_machine(), report/html/page_parts.hpp).
 MachinePage machine_page(const Study& study, GivenMachine given, const BasinOptions& options = {});
 
 }  // namespace equipoise

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
@@ -16,8 +16,8 @@ std::string grade_text(double grade_mm_s) {
              : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
 }
 
-Json grade_json(double grade_mm_s) {
-  return object("mm_per_s", grade_mm_s, "standard", model::standard_grade_met(grade_mm_s));
+void to_json(Json& json, const BalanceGrade& grade) {
+  json = object("mm_per_s", grade.mm_per_s, "standard", model::standard_grade_met(grade.mm_per_s));
 }
 
 namespace {
@@ -54,7 +54,7 @@ void put_left_unbalance(Json& json, const OutcomeShare& a, const Study& study) {
   if (!study.scales) return;
   for (const double u : a.unbalance) {
     left["unbalance_si"].push_back(u * study.scales->unbalance());
-    left["balance_grade"].push_back(grade_json(left_balance_grade(u, study)));
+    left["balance_grade"].push_back(BalanceGrade{left_balance_grade(u, study)});
   }
 }
 

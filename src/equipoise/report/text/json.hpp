@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +79,26 @@ Json list_of(const List& entries, One&& one) {
   return list;
 }
 
+/// A part of a result with the whole that it belongs to, for parts whose JSON needs the whole's units, names or
+/// numbers: `void to_json(Json&, const PartOf<Part, Whole>&)`. Lists and optional parts are written part by part.
+template <class Part, class Whole>
+struct PartOf {
+  const Part& part;
+  const Whole& whole;
+};
+template <class Part, class Whole>
+PartOf(const Part&, const Whole&) -> PartOf<Part, Whole>;
+
+template <std::ranges::range List, class Whole>
+void to_json(Json& json, const PartOf<List, Whole>& of) {
+  json = list_of(of.part, [&](const auto& part) { return PartOf{part, of.whole}; });
+}
+template <class Part, class Whole>
+void to_json(Json& json, const PartOf<std::optional<Part>, Whole>& of) {
+  json = nullptr;
+  if (of.part) json = PartOf{*of.part, of.whole};
+}
+
 /// The first `count` of `values`.
 template <class Values>
 auto leading(const Values& values, std::ptrdiff_t count) {
@@ -90,6 +111,8 @@ Json extremes(Number least, Number mean, Number most) {
 }
 
 inline void to_json(Json& json, const Estimate& e) { json = object("value", e.value, "low", e.low, "high", e.high); }
+/// In another unit.
+inline Estimate times(const Estimate& e, double factor) { return {e.value * factor, e.low * factor, e.high * factor}; }
 inline void to_json(Json& json, const ShareDifference& d) {
   json = object("difference", d.difference, "low", d.low, "high", d.high);
 }

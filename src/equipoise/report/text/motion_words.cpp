@@ -1,9 +1,12 @@
-// What a motion is, how fast trajectories approach it, how large its vibration is.
+// What a motion is, how fast trajectories approach it, how large its vibration is; words for the names that
+// attractors/motions/motion_name.cpp gives.
 #include "equipoise/report/text/motion_words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,14 +18,20 @@ namespace equipoise {
 
 namespace {
 
-Json events_json(const Motion& m) {
-  constexpr std::array<const char*, 6> words{"strike", "press", "part", "stick", "slip", "turn"};
-  return list_of(m.events, [&](const BallEvent& e) {
-    Json balls = {e.ball + 1};
-    if (e.other >= 0) balls.push_back(e.other + 1);
-    return object("time", e.time, "kind", words[static_cast<std::size_t>(e.kind)], "balls", balls);
-  });
-}
+// By how names begin; longer beginnings first.
+constexpr std::array<std::pair<std::string_view, const char*>, 11> plain_words{{
+    {"co-drifting", "balls circulate together"},
+    {"drifting apart", "balls circulate apart"},
+    {"drifting at different rates", "balls circulate at different rates"},
+    {"drifting", "ball circulates"},
+    {"pair drift", "balls circulate as a pair"},
+    {"one captured", "one ball stays, one circulates"},
+    {"both captured", "balls stay, off balance"},
+    {"all captured", "balls stay, off balance"},
+    {"captured", "ball stays, off balance"},
+    {"locked", "balls stay, off balance"},
+    {"hanging", "balls stay below the shaft"},
+}};
 
 // In a continuum each member has its own stability.
 std::string continuum_text(const ContinuumPart& part, double second, const char* unit) {
@@ -37,6 +46,18 @@ std::string continuum_text(const ContinuumPart& part, double second, const char*
 }
 
 }  // namespace
+
+std::string plain_name(const std::string& name) {
+  // What follows says which balls move as one and when the motion comes back: (2 together), quasi-periodic, period 3.
+  for (const auto& [beginning, plain] : plain_words)
+    if (name.starts_with(beginning)) return plain + name.substr(beginning.size());
+  // "2 captured, 1 drifting"
+  const std::size_t stay = name.find(" captured"), go = name.find(" drifting");
+  if (stay == name.npos || go == name.npos || stay > go) return "";
+  std::string text = name;
+  text.replace(go, std::string_view(" drifting").size(), " circulating");
+  return "balls: " + text.replace(stay, std::string_view(" captured").size(), " staying");
+}
 
 std::string stability_text(const Attractor& a, const std::optional<model::Scales>& scales) {
   const double second = scales ? scales->time() : 1.0;
@@ -56,18 +77,26 @@ std::string stability_text(const Attractor& a, const std::optional<model::Scales
   return text + unit;
 }
 
+void to_json(Json& json, const BallEvent& e) {
+  constexpr std::array<const char*, 6> words{"strike", "press", "part", "stick", "slip", "turn"};
+  Json balls = {e.ball + 1};
+  if (e.other >= 0) balls.push_back(e.other + 1);
+  json = object("time", e.time, "kind", words[static_cast<std::size_t>(e.kind)], "balls", balls);
+}
+
 void to_json(Json& json, const ContinuumPart& part) {
   json = object("drawn", part.drawn, "stable", part.stable, "slowest_rate",
                 std::array{part.slowest_rate, part.fastest_rate}, "growth_rate",
                 std::array{part.least_growth, part.most_growth});
 }
 
-Json motion_json(const Attractor& a, const Study& study) {
+void to_json(Json& json, const PartOf<Attractor, Study>& of) {
+  const auto& [a, study] = of;
   const int balls = study.parameters.balls;
   const Motion& m = a.motion;
   const auto number = [&](const char* name) { return motion_number(name).value(m); };
   const bool periodic = m.kind == MotionKind::periodic;
-  Json json = object("id", a.id, "name", a.name, "alias", a.alias, "kind", name_of(m.kind), "copies", m.copies);
+  json = object("id", a.id, "name", a.name, "alias", a.alias, "kind", name_of(m.kind), "copies", m.copies);
   put_known(json, "continuum", a.continuum);
   put(json, "period", number("period"), "winding", leading(m.winding, periodic ? balls : 0));
   if (periodic && m.depends_on_angle) put(json, "strobes", m.sections);
@@ -82,9 +111,8 @@ Json motion_json(const Attractor& a, const Study& study) {
         list_of(m.spectrum, complex_pair), "residual", m.residual);
   put(json, "exponents", m.exponents, "stable", m.stable);
   if (m.eventful)
-    put(json, "lasting", text_of(m.mode, balls), "events", events_json(m), "stuck", m.stuck, "continuum_of_friction",
+    put(json, "lasting", text_of(m.mode, balls), "events", m.events, "stuck", m.stuck, "continuum_of_friction",
         m.set_valued);
-  return json;
 }
 
 }  // namespace equipoise

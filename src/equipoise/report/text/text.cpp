@@ -1,4 +1,4 @@
-// Numbers and studies as text.
+// Numbers, studies and their starts as text.
 #include "equipoise/report/text/text.hpp"
 
 #include <algorithm>
@@ -9,11 +9,12 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/machine/balance/coincident_balls.hpp"
 #include "equipoise/report/text/json.hpp"
 
 namespace equipoise {
@@ -21,6 +22,12 @@ namespace equipoise {
 namespace {
 
 using study::Dimension;
+
+const char* held_by_default(Profile profile) {
+  if (profile == Profile::trapezoid) return "the end of the rise";
+  if (profile == Profile::hill) return "the end of the run-up";
+  return profile == Profile::points ? "the last point of the speed" : "the end of the ramp";
+}
 
 // Writes the numbers of a study.
 auto numbers_of(const Study& study) {
@@ -164,6 +171,54 @@ std::string bounds_text(const Share& s) {
   bounds.high = s.most;
   bounds.count = s.least <= 0.0 ? 0 : s.most >= 1.0 ? s.total : s.count;
   return interval(bounds);
+}
+
+std::string release_text(const Study& study) {
+  const double until = study.release_time();
+  if (!(until > 0.0)) return "";
+  const auto speed = [&] { return engineering(study.scales, *study.release.speed, study::Dimension::speed); };
+  if (std::isinf(until)) return "balls held until the rotor comes to " + speed();
+  std::string text = "balls held until t = " + engineering(study.scales, until, study::Dimension::time);
+  if (study.release.speed) return text + ", at speed " + speed();
+  return study.release.time ? text : fmt::format("{}, {}", text, held_by_default(study.speed.profile));
+}
+
+std::vector<std::string> drawn_instead(const Study& study) {
+  std::vector<std::string> keys;
+  const InitialState& s = study.initial;
+  const SamplingBox& box = study.sampling.box;
+  if (states_angles(study)) keys.emplace_back("initial.phi");
+  const auto add = [&](const char* key, const auto& side, double value) {
+    if (side && value != 0.0) keys.emplace_back(key);
+  };
+  add("initial.x", box.x, s.x);
+  add("initial.y", box.y, s.y);
+  add("initial.x_dot", box.x_dot, s.x_dot);
+  add("initial.y_dot", box.y_dot, s.y_dot);
+  const bool turning = std::any_of(s.phi_dot.begin(), s.phi_dot.end(), [](double rate) { return rate != 0.0; });
+  add("initial.phi_dot", box.phi_dot, turning);
+  return keys;
+}
+
+std::string drawn_instead_text(const Study& study) {
+  const std::vector<std::string> keys = drawn_instead(study);
+  if (keys.empty()) return "";
+  return fmt::format("drawn with each start, not taken from the study: {}; simulate starts from there\n",
+                     fmt::join(keys, ", "));
+}
+
+std::string coincident_text(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  const InitialState& s = study.initial;
+  std::string pairs;
+  for (int i = 0; i < p.balls; ++i)
+    for (int k = 0; k < i; ++k)
+      if (model::coincide(p, i, k, s.phi.data(), s.phi_dot.data()))
+        pairs += fmt::format("{}balls {} and {}", pairs.empty() ? "" : ", ", k + 1, i + 1);
+  if (pairs.empty()) return "";
+  return pairs +
+         " are alike and start in one place; computed exactly they would stay together, and real ones part: they are "
+         "set about 1e-9 rad apart";
 }
 
 std::string study_heading(const Study& study) {

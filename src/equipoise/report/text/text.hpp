@@ -1,13 +1,14 @@
-// Pieces that reports share.
+// Pieces that reports share: numbers, the study, how its starts begin.
 // This room: words, numbers and tables that reports share.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/machine/balance/carrying.hpp"
-#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/quantities.hpp"
 #include "equipoise/results/types/note.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -42,5 +43,16 @@ std::string hanging_text(const Study& study);
 
 /// "published" or "kinematic".
 const char* name_of(model::SpeedLaw law);
+
+/// "balls held until t = 40, the end of the ramp"; empty if they are free from the start.
+std::string release_text(const Study& study);
+
+/// Keys of [initial] that the study states but an ensemble draws: initial.phi, and those in [sampling.box].
+std::vector<std::string> drawn_instead(const Study& study);
+/// The same as a sentence with a line end; empty if there are none.
+std::string drawn_instead_text(const Study& study);
+
+/// "balls 1 and 2 are alike and start in one place: ..."; empty if there are none.
+std::string coincident_text(const Study& study);
 
 }  // namespace equipoise

@@ -1,13 +1,11 @@
 // Capacities: one record per trial during the search, one per cell when it is known.
-#include "equipoise/results/cell_files/capacity_file.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
-#include "equipoise/results/cell_files/sweep_cells.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,28 @@ class CellFile : public Store {
   const CellFileKind kind_;
   bool changed_ = false;
 };
+
+// The finished files are NetCDF (classic, 64-bit offsets), sealed. Every variable has units and long_name, and missing
+// cells are filled. All open_...() throw like CellFile, and put what is known in their last argument.
+
+/// Records are cells. The file: write_sweep_file().
+std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells);
+/// Only searches of missing cells stay in the unfinished part.
+void finish_sweep_file(CellFile& file, const SweepResult& result);
+
+/// Records are trials, one or more. The file: a coordinate for every parameter, one dimension per axis; by cell the
+/// capacity, its interval, and whether it lies beyond the range; by cell and trial the value, the balanced share with
+/// its interval, and the undecided share.
+std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std::string& identity,
+                                             std::vector<std::vector<CapacityTrial>>& trials);
+/// While cells are missing, their trials stay in the unfinished part.
+void finish_capacity_file(CellFile& file, const CapacityResult& result);
+
+/// Records are ensembles, at most `most`. The file: by ensemble its starts, its figures with their intervals, and its
+/// candidate as text; by member of the front its figures on the held-out starts.
+std::unique_ptr<CellFile> open_design_file(const std::string& path, const std::string& identity, std::size_t most,
+                                           KeptSamples& kept);
+/// Of a partial design, the ensembles stay in the unfinished part.
+void finish_design_file(CellFile& file, const DesignResult& result, std::size_t most, const KeptSamples& kept);
 
 }  // namespace equipoise::io

@@ -1,6 +1,4 @@
 // Designs: one record an ensemble.
-#include "equipoise/results/cell_files/design_file.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct KeptSample {
   std::string name;
   DesignSample sample;
 };
+using KeptSamples = std::map<std::uint64_t, KeptSample>;  ///< by the number of their question
 
 namespace io {
 

@@ -1,4 +1,4 @@
-// The file of a sweep: cells are kept as they come, results are written whole at the end.
+// The finished file of a sweep.
 #pragma once
 
 #include <cstddef>
@@ -24,14 +24,4 @@ struct StoredSweep {
 };
 StoredSweep read_sweep(const std::string& path);
 
-namespace io {
-
-class CellFile;
-
-/// Records are cells (sweep_cells.hpp). `cells`, an entry per cell, receives the known ones. Throws like CellFile.
-std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells);
-/// Only searches of missing cells stay in the unfinished part.
-void finish_sweep_file(CellFile& file, const SweepResult& result);
-
-}  // namespace io
 }  // namespace equipoise

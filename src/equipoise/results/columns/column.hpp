@@ -32,4 +32,9 @@ struct Column {
   }
 };
 
+/// Its title in CSV. In a study with physical units its unit follows: "t (1/omega_c)".
+inline std::string csv_title(const Column& column, const std::optional<model::Scales>& scales) {
+  return scales && column.dimension ? std::string(column.name) + " (" + column.unit() + ")" : column.name;
+}
+
 }  // namespace equipoise

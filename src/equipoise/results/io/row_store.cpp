@@ -59,38 +59,38 @@ void RowStore::forget() {
 
 void RowStore::read(std::size_t column, std::uint64_t first, std::size_t count, double* values) const {
   const StoredColumn& c = layout_.columns[column];
-  with_type(c.type, [&]<class T>(T) {
-    std::vector<T> part;
-    // Reads the rows from begin to end among them, if there are any.
-    const auto read_part = [&](std::uint64_t begin, std::uint64_t end, const auto& of) {
-      begin = std::max(begin, first);
-      end = std::min<std::uint64_t>(end, first + count);
-      if (begin >= end) return;
-      part.resize((end - begin) * c.width);
-      of(begin, end);
-      std::copy(part.begin(), part.end(), values + (begin - first) * c.width);
-    };
-    read_part(0, finished_, [&](std::uint64_t begin, std::uint64_t end) {
-      std::vector<std::size_t> start{begin / layout_.of_line}, size{(end - begin) / layout_.of_line};
-      if (!c.along.empty()) start.push_back(0), size.push_back(layout_.of_line * c.width);
-      results()->read(variables_[column], start, size, part.data());
+  const std::size_t width = c.width;
+  const std::uint64_t end = first + count;
+  if (first < finished_)
+    with_type(c.type, [&]<class T>(T) {
+      const std::uint64_t rows = std::min(end, finished_) - first;
+      std::vector<T> there(rows * width);
+      std::vector<std::size_t> start{first / layout_.of_line}, size{rows / layout_.of_line};
+      if (!c.along.empty()) start.push_back(0), size.push_back(layout_.of_line * width);
+      results()->read(variables_[column], start, size, there.data());
+      std::copy(there.begin(), there.end(), values);
     });
-    for (const Journal::Record& record : rows_)
-      read_part(record.first, record.first + record.count, [&](std::uint64_t begin, std::uint64_t) {
-        const std::uint64_t skipped = (begin - record.first) * c.width * sizeof(T);
-        read_payload(record, before_[column] * record.count + skipped, part.size() * sizeof(T), part.data());
-      });
+  for (const Journal::Record& record : rows_) {
+    const std::uint64_t from = std::max(record.first, first), to = std::min(record.first + record.count, end);
+    if (from < to) read_rows(record, column, from - record.first, to - from, values + (from - first) * width);
+  }
+}
+
+void RowStore::read_rows(const Journal::Record& rows, std::size_t column, std::uint64_t skipped, std::size_t count,
+                         double* values) const {
+  const std::size_t width = layout_.columns[column].width;
+  with_type(layout_.columns[column].type, [&]<class T>(T) {
+    std::vector<T> there(count * width);
+    const std::uint64_t begin = before_[column] * rows.count + skipped * width * sizeof(T);
+    read_payload(rows, begin, there.size() * sizeof(T), there.data());
+    std::copy(there.begin(), there.end(), values);
   });
 }
 
 std::vector<double> RowStore::values_in(const Journal::Record& rows, std::size_t column) const {
-  std::vector<double> numbers;
-  with_type(layout_.columns[column].type, [&]<class T>(T) {
-    std::vector<T> values(rows.count * layout_.columns[column].width);
-    read_payload(rows, before_[column] * rows.count, values.size() * sizeof(T), values.data());
-    numbers.assign(values.begin(), values.end());
-  });
-  return numbers;
+  std::vector<double> values(rows.count * layout_.columns[column].width);
+  read_rows(rows, column, 0, rows.count, values.data());
+  return values;
 }
 
 void RowStore::append_rows(Journal::Record record,

@@ -54,6 +54,8 @@ class RowStore : public Store {
  private:
   void open_columns();
   void take(const Journal::Record& record);
+  void read_rows(const Journal::Record& rows, std::size_t column, std::uint64_t skipped, std::size_t count,
+                 double* values) const;
 
   const Layout layout_;
   std::size_t row_bytes_ = 0;

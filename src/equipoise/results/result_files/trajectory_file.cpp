@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/results/columns/csv_title.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {
@@ -26,11 +25,11 @@ void visit_columns(const Trajectory& run, const One& one, const Each& of_each) {
 std::string titles(const Trajectory& run, const Study& study) {
   std::string text;
   visit_columns(
-      run, [&](const auto& c) { text += csv_title(c, study) + ","; },
+      run, [&](const auto& c) { text += csv_title(c, study.scales) + ","; },
       [&](TrajectoryColumn c, std::size_t i) {
         const std::string name = fmt::format("{}_{}", c.name, i + 1);
         c.name = name.c_str();
-        text += csv_title(c, study) + ",";
+        text += csv_title(c, study.scales) + ",";
       });
   text.back() = '\n';  // instead of the last comma
   return text;

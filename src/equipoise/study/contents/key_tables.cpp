@@ -138,9 +138,8 @@ Names names_in(const std::vector<Key>& keys) {
 
 // Keys that the table may hold. Without a valid profile: the keys of all profiles.
 Names names_in(const StudyFile& file, const KeyTable& table, bool physical) {
-  const StudyValue* profile = table.find("profile", false) ? file.root.find_path(table.name + ".profile") : nullptr;
-  const auto at = std::find(profile_names.begin(), profile_names.end(),
-                            profile && profile->string() ? std::string_view(*profile->string()) : "");
+  const std::string* profile = table.find("profile", false) ? file.root.find_text(table.name + ".profile") : nullptr;
+  const auto at = std::find(profile_names.begin(), profile_names.end(), profile ? std::string_view(*profile) : "");
   const auto said = static_cast<Profile>(at - profile_names.begin());
   return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
 }

@@ -212,8 +212,14 @@ void read_key(TableReader& reader, const Key& key, Study& study, bool required) 
   if (key.other) study.sheet.*key.other->given = reader.measured() == key.other->dimension;
 }
 
-void read_keys(TableReader& reader, const char* table, Study& study) {
+void read_keys(TableReader& reader, std::string_view table, Study& study) {
   for (const Key& key : key_table(table).of(variants_in(study, table), reader.physical())) read_key(reader, key, study);
+}
+
+void read_table(const StudyFile& file, const std::string& table, Study& study) {
+  TableReader reader(file, table);
+  read_keys(reader, table, study);
+  reader.finish();
 }
 
 std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry, bool physical) {

@@ -79,21 +79,15 @@ struct Key {
   Way way = {};
   const char* sentence_in_units = nullptr;  ///< null: the same
 
-  Key in_units(const char* text) const {
+  template <class Value>
+  Key with(Value Key::*member, const Value& value) const {
     Key key = *this;
-    key.sentence_in_units = text;
+    key.*member = value;
     return key;
   }
-  Key or_as(Dimension quantity, bool DataSheet::*given) const {
-    Key key = *this;
-    key.other = Other{quantity, given};
-    return key;
-  }
-  Key one_way(const char* of, const char* words) const {
-    Key key = *this;
-    key.way = {of, words};
-    return key;
-  }
+  Key in_units(const char* text) const { return with(&Key::sentence_in_units, text); }
+  Key or_as(Dimension quantity, bool DataSheet::*given) const { return with(&Key::other, {{quantity, given}}); }
+  Key one_way(const char* of, const char* words) const { return with(&Key::way, {of, words}); }
 
   /// `entry`: entry_of() its table.
   Member member(Study& study, std::size_t entry = 0) const { return where(study, entry); }
@@ -153,8 +147,11 @@ Wanted wanted_of(const Key& key, bool physical);
 Range range_in(const Study& study, const Key& key);
 /// Reads the key from the table into its member, which otherwise keeps its value. `required`: whatever its traits say.
 void read_key(TableReader& reader, const Key& key, Study& study, bool required = false);
-/// Reads the keys that a table has in the study's variants of it.
-void read_keys(TableReader& reader, const char* table, Study& study);
+/// Reads the keys that the table with this dotted name, or an entry of an array of tables, has in the study's variants
+/// of it.
+void read_keys(TableReader& reader, std::string_view table, Study& study);
+/// The same of the whole table, which may have no others.
+void read_table(const StudyFile& file, const std::string& table, Study& study);
 /// The member as written in a study; empty if it is not set. `physical`: of a study with scales, as quantities.
 std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry = 0, bool physical = false);
 

@@ -32,34 +32,33 @@ void move_to_end(StudyValue& table, const char* key) {
   table.set(key, value);
 }
 
-StudyValue torque_table(const Study& study, bool physical) {
-  StudyValue torque = table_of("speed.torque", study, physical);
-  if (study.speed.torque.kind == model::MotorLaw::Kind::control)
-    torque.set("target", table_of("speed.torque.target", study, physical));
-  return torque;
+// Whether such a study has the table.
+bool has_table(const Study& study, const KeyTable& table, bool physical) {
+  const std::string& name = table.name;
+  const SpeedSetting& speed = study.speed;
+  if (name == "units") return study.scales && !physical;
+  if (name == "rotor.tilt") return study.parameters.tilts();
+  if (name == "speed.torque") return speed.driven();
+  if (name == "speed.torque.target") return speed.driven() && speed.torque.kind == model::MotorLaw::Kind::control;
+  const auto of_load = [](const UncertainValue& value) { return value.key.starts_with("speed.load."); };
+  const std::vector<UncertainValue>& drawn = study.uncertain.values;
+  if (name == "speed.load")
+    return speed.driven() &&
+           (!speed.load.is_none() || speed.load.at || std::any_of(drawn.begin(), drawn.end(), of_load));
+  if (name == "sampling.box") return !study.sampling.box.empty();
+  return !table.is_inner() && name != "sweep";
 }
 
 StudyValue tree_with_medians(const Study& study, bool physical = false) {
   StudyValue tree;
   for (const KeyTable& keys : key_tables()) {
-    const std::string& name = keys.name;
-    if (keys.is_inner() || name == "sweep" || (name == "units" && (!study.scales || physical))) continue;
-    StudyValue table = table_of(name, study, physical);
-    if (name == "speed") {
-      move_to_end(table, "law");
-      if (study.speed.driven()) table.set("torque", torque_table(study, physical));
-      const auto of_load = [](const UncertainValue& value) { return value.key.starts_with("speed.load."); };
-      const std::vector<UncertainValue>& drawn = study.uncertain.values;
-      if (study.speed.driven() &&
-          (!study.speed.load.is_none() || study.speed.load.at || std::any_of(drawn.begin(), drawn.end(), of_load)))
-        table.set("load", table_of("speed.load", study, physical));
-    } else if (name == "rotor" && study.parameters.tilts()) {
-      table.set("tilt", table_of("rotor.tilt", study, physical));
-    } else if (name == "sampling") {
-      move_to_end(table, "method");
-      if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study, physical));
-    }
-    if (!table.table()->empty()) tree.set(name, std::move(table));
+    if (!has_table(study, keys, physical)) continue;
+    StudyValue table = table_of(keys.name, study, physical);
+    if (keys.name == "speed") move_to_end(table, "law");
+    if (keys.name == "sampling") move_to_end(table, "method");
+    const std::size_t dot = keys.name.rfind('.') + 1;  // npos + 1 = 0
+    StudyValue* home = dot > 0 ? tree.find_path(keys.name.substr(0, dot - 1)) : &tree;
+    if (dot > 0 || !table.table()->empty()) home->set(keys.name.substr(dot), std::move(table));
   }
   return tree;
 }

@@ -36,23 +36,18 @@ std::string plain_name(std::string text) {
 }
 
 // balancer.oil: a grade, and the temperature that it has in the machine.
-class GradedOil {
- public:
-  GradedOil(const Study& machine, const Refuse& refuse)
-      : machine_(machine), grade_(machine.sheet.oil_grade), kelvin_(*machine.sheet.oil_at), refuse_(refuse) {}
-
+struct GradedOil : Sheet {
   Oil oil() const {
     constexpr std::string_view silicone = "silicone";
-    return in_small_letters(grade_).starts_with(silicone) && grade_.size() > silicone.size()
-               ? silicone_oil(grade_.substr(silicone.size()))
+    return in_small_letters(grade).starts_with(silicone) && grade.size() > silicone.size()
+               ? silicone_oil(grade.substr(silicone.size()))
                : mineral_oil();
   }
 
- private:
-  void fail(const std::string& key, const std::string& problem) const { refuse_("balancer.oil." + key, problem); }
+  void fail(const std::string& key, const std::string& problem) const { refuse("balancer.oil." + key, problem); }
 
   void check_temperature(double coldest, double hottest, const char* of) const {
-    if (!(kelvin_ >= coldest && kelvin_ <= hottest))
+    if (!(kelvin >= coldest && kelvin <= hottest))
       fail("at",
            fmt::format(
                "must be from {:.6g} to {:.6g} degC: the law of {} holds there; beyond it give balancer.oil_viscosity",
@@ -69,22 +64,22 @@ class GradedOil {
       fail("grade", fmt::format("must be \"silicone\" with its viscosity at 25 degC, from {:.0f} to {:.0f} cSt, such "
                                 "as \"silicone 1000 cSt\"; for others give balancer.oil_viscosity",
                                 model::thinnest_silicone, model::thickest_silicone));
-    if (machine_.states("balancer.oil.viscosity_100"))
+    if (states("balancer.oil.viscosity_100"))
       fail("viscosity_100", "applies to mineral oils only; leave it out for a silicone oil");
-    return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density};
+    return {model::silicone_viscosity(at_25, kelvin) * square_mm, model::silicone_density};
   }
 
   // The viscosity in mm^2/s at 40 degC of a class named by the whole number nearest to it.
   double class_viscosity() const {
-    const std::string given = plain_name(grade_);
-    const std::string number = grade_.substr(std::min(grade_.find_last_not_of("0123456789.") + 1, grade_.size()));
+    const std::string named = plain_name(grade);
+    const std::string number = grade.substr(std::min(grade.find_last_not_of("0123456789.") + 1, grade.size()));
     // A number of another system, such as SAE 10W-30, names no class.
-    const bool of_iso = given.starts_with("iso") || given.starts_with("vg") || number == grade_;
+    const bool of_iso = named.starts_with("iso") || named.starts_with("vg") || number == grade;
     const double said = of_iso ? split_quantity(number).number : 0.0;
     double nearest = 0.0;
     for (const double middle : model::iso_viscosity_grades) {
       const std::string name = fmt::format("ISO VG {:.0f}", middle);
-      if (given == plain_name(name) || "iso" + given == plain_name(name)) return middle;
+      if (named == plain_name(name) || "iso" + named == plain_name(name)) return middle;
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }
@@ -97,60 +92,47 @@ class GradedOil {
   Oil mineral_oil() const {
     const double at_40 = class_viscosity();
     check_temperature(model::coldest_mineral_oil, model::hottest_mineral_oil, "Ubbelohde and Walther");
-    const std::optional<double> at_100 = machine_.states("balancer.oil.viscosity_100")
-                                             ? machine_.sheet.oil_viscosity_100 / square_mm
+    const std::optional<double> at_100 = states("balancer.oil.viscosity_100")
+                                             ? given.oil_viscosity_100 / square_mm
                                              : model::viscosity_at_100(at_40, model::usual_viscosity_index);
     if (!at_100)
       fail("grade", "is thinner than viscosity indices are defined for; give viscosity_100, such as \"1.1 cSt\"");
     if (!(*at_100 < at_40) || !(*at_100 > 0.5))
       fail("viscosity_100",
            fmt::format("must be at least 0.5 cSt and less than the viscosity at 40 degC, {:.6g} cSt", at_40));
-    return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density};
+    return {model::mineral_oil_viscosity(at_40, *at_100, kelvin) * square_mm, model::mineral_oil_density};
   }
 
-  const Study& machine_;
-  const std::string& grade_;
-  const double kelvin_;
-  const Refuse& refuse_;
+  const std::string& grade = given.oil_grade;
+  const double kelvin = *given.oil_at;
 };
 
-class Balls {
- public:
-  Balls(const Study& machine, Study& study, const Refuse& refuse)
-      : machine_(machine),
-        d_(machine.sheet),
-        radius_(study.scales->length),
-        study_(study),
-        p_(study.parameters),
-        diameters_(machine.ball_diameters()),
-        refuse_(refuse) {}
-
+struct Balls : Sheet {
   void put() {
     const std::vector<double> mass = masses(), drag = drag_torques();
     for (std::size_t i = 0; i < mass.size(); ++i) {
-      p_.mass[i] = mass[i] / study_.scales->mass;
-      p_.drag[i] = drag[i] / study_.scales->ball_drag(mass[i]);
+      p.mass[i] = mass[i] / study.scales->mass;
+      p.drag[i] = drag[i] / study.scales->ball_drag(mass[i]);
     }
-    if (!states("stiction")) p_.stiction = p_.rolling;
+    if (!states("stiction")) p.stiction = p.rolling;
     put_contact();
   }
 
- private:
-  bool states(const std::string& key) const { return machine_.states("balancer." + key); }
-  void refuse(const std::string& key, const std::string& problem) const { refuse_("balancer." + key, problem); }
+  bool states(const std::string& key) const { return Sheet::states("balancer." + key); }
+  void fail(const std::string& key, const std::string& problem) const { refuse("balancer." + key, problem); }
   void need_diameter(std::string_view key) const {
-    if (diameters_.empty()) refuse(std::string(key), needs_diameter);
+    if (diameters.empty()) fail(std::string(key), needs_diameter);
   }
 
   std::vector<double> masses() const {
-    const std::string_view from = way_of(machine_, "balancer.mass", refuse_);
-    const auto& stated = machine_.parameters.mass;
-    std::vector<double> mass(stated.begin(), stated.begin() + p_.balls);
+    const std::string_view from = way("balancer.mass");
+    const auto& stated = in_si.mass;
+    std::vector<double> mass(stated.begin(), stated.begin() + p.balls);
     if (from == "mass") return mass;
     need_diameter(from);
-    if (from == "ball_material") mass.assign(mass.size(), model::find_ball_material(d_.material)->density);
+    if (from == "ball_material") mass.assign(mass.size(), model::find_ball_material(given.material)->density);
     for (std::size_t i = 0; i < mass.size(); ++i) {
-      const double d = diameters_[i];
+      const double d = diameters[i];
       mass[i] *= pi / 6.0 * d * d * d;
     }
     return mass;
@@ -158,29 +140,29 @@ class Balls {
 
   // Torque per rate relative to the race.
   std::vector<double> drag_torques() const {
-    const std::string_view from = way_of(machine_, "balancer.drag", refuse_);
+    const std::string_view from = way("balancer.drag");
     if (from != "drag") return drag_in_oil(from);
-    const auto& stated = machine_.parameters.drag;
-    std::vector<double> drag(stated.begin(), stated.begin() + p_.balls);
-    if (d_.drag_of_force)
-      for (double& d : drag) d *= radius_ * radius_;
+    const auto& stated = in_si.drag;
+    std::vector<double> drag(stated.begin(), stated.begin() + p.balls);
+    if (given.drag_of_force)
+      for (double& d : drag) d *= radius * radius;
     for (const char* key : {"oil_density", "channel_diameter"})
-      if (states(key)) refuse(key, "has a meaning only with balancer.oil_viscosity or balancer.oil");
+      if (states(key)) fail(key, "has a meaning only with balancer.oil_viscosity or balancer.oil");
     return drag;
   }
 
   void put_oil(std::string_view from) const {
-    DataSheet& known = study_.sheet;
+    DataSheet& known = study.sheet;
     if (from == "oil") {
-      const Oil oil = GradedOil(machine_, refuse_).oil();
-      known.oil_density = d_.oil_density.value_or(oil.density);
+      const Oil oil = GradedOil{*this}.oil();
+      known.oil_density = given.oil_density.value_or(oil.density);
       known.oil_viscosity = oil.kinematic_viscosity * *known.oil_density;
       return;
     }
-    if (!d_.kinematic) return;
-    if (!d_.oil_density)
-      refuse("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
-    known.oil_viscosity = *d_.oil_viscosity * *d_.oil_density;
+    if (!given.kinematic) return;
+    if (!given.oil_density)
+      fail("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
+    known.oil_viscosity = *given.oil_viscosity * *given.oil_density;
   }
 
   std::vector<double> drag_in_oil(std::string_view from) const {
@@ -188,14 +170,14 @@ class Balls {
     need_diameter(from);
     const bool in_channel = states("channel_diameter");
     std::vector<double> drag;
-    for (const double d : diameters_) {
-      if (in_channel && !at_most(d, model::widest_ball_in_channel * d_.channel))
-        refuse("channel_diameter",
-               fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the channel; "
-                           "in a closer fit measure the drag and state balancer.drag",
-                           1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
-      drag.push_back(model::stokes_drag(*study_.sheet.oil_viscosity, d) *
-                     (in_channel ? model::wall_correction(d / d_.channel) : 1.0) * radius_ * radius_);
+    for (const double d : diameters) {
+      if (in_channel && !at_most(d, model::widest_ball_in_channel * given.channel))
+        fail("channel_diameter",
+             fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the channel; "
+                         "in a closer fit measure the drag and state balancer.drag",
+                         1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
+      drag.push_back(model::stokes_drag(*study.sheet.oil_viscosity, d) *
+                     (in_channel ? model::wall_correction(d / given.channel) : 1.0) * radius * radius);
     }
     return drag;
   }
@@ -203,52 +185,47 @@ class Balls {
   // Balls of known size touch; different sizes are not supported yet.
   void put_contact() {
     if (states("contact_angle")) {
-      if (states("contact")) refuse("contact", "give either balancer.contact_angle or balancer.contact, not both");
+      if (states("contact")) fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
       return;
     }
     const bool one_size =
-        std::all_of(diameters_.begin(), diameters_.end(), [&](double d) { return d == diameters_.front(); });
-    if (!(states("contact") ? d_.contact : !diameters_.empty() && one_size)) return;
+        std::all_of(diameters.begin(), diameters.end(), [&](double d) { return d == diameters.front(); });
+    if (!(states("contact") ? given.contact : !diameters.empty() && one_size)) return;
     need_diameter("contact");
-    if (!one_size) refuse("contact", "needs balls of one diameter");
-    if (p_.balls == 1) return;
-    const double widest = 2.0 * radius_ * std::sin(pi / p_.balls);
-    if (diameters_.front() >= widest)
-      refuse("ball_diameter", fmt::format("must be less than {:.6g} mm: at that size {} touching balls fill the race",
-                                          1000.0 * widest, p_.balls));
-    p_.contact_angle = 2.0 * std::asin(0.5 * diameters_.front() / radius_);
+    if (!one_size) fail("contact", "needs balls of one diameter");
+    if (p.balls == 1) return;
+    const double widest = 2.0 * radius * std::sin(pi / p.balls);
+    if (diameters.front() >= widest)
+      fail("ball_diameter", fmt::format("must be less than {:.6g} mm: at that size {} touching balls fill the race",
+                                        1000.0 * widest, p.balls));
+    p.contact_angle = 2.0 * std::asin(0.5 * diameters.front() / radius);
   }
 
-  const Study& machine_;
-  const DataSheet& d_;
-  const double radius_;
-  Study& study_;
-  model::Parameters& p_;
-  const std::span<const double> diameters_;
-  const Refuse& refuse_;
+  const double radius = study.scales->length;
+  const std::span<const double> diameters = machine.ball_diameters();
 };
 
 }  // namespace
 
-double put_race(const Study& machine, Study& study, const Refuse& refuse) {
-  const bool stated = machine.states("balancer.ball_radius");
-  const double race =
-      machine.sheet.race * (way_of(machine, "balancer.race_radius", refuse) == "race_diameter" ? 0.5 : 1.0);
-  const std::span<const double> diameter = machine.ball_diameters();
+double put_race(const Sheet& sheet) {
+  const Refuse& refuse = sheet.refuse;
+  const bool stated = sheet.states("balancer.ball_radius");
+  const double race = sheet.given.race * (sheet.way("balancer.race_radius") == "race_diameter" ? 0.5 : 1.0);
+  const std::span<const double> diameter = sheet.machine.ball_diameters();
   for (const double d : diameter)
     if (d >= 2.0 * race) refuse("balancer.ball_diameter", "must be less than the diameter of the race");
-  if (!machine.parameters.rolls) return race;
+  if (!sheet.in_si.rolls) return race;
   if (stated && !diameter.empty())
     refuse("balancer.ball_radius", "give either balancer.ball_radius or balancer.ball_diameter, not both");
   if (!stated && diameter.empty()) refuse("balancer.rolls", needs_diameter);
-  for (std::size_t i = 0; i < diameter.size(); ++i) study.parameters.ball_radius[i] = 0.5 * diameter[i];
-  for (const double radius : study.parameters.ball_radius)
+  for (std::size_t i = 0; i < diameter.size(); ++i) sheet.p.ball_radius[i] = 0.5 * diameter[i];
+  for (const double radius : sheet.p.ball_radius)
     if (radius >= race) refuse("balancer.ball_radius", "must be less than the radius of the race");
   return race;
 }
 
-void put_balls(const Study& machine, Study& study, const Refuse& refuse) {
-  if (machine.parameters.balls > 0) Balls(machine, study, refuse).put();
+void put_balls(const Sheet& sheet) {
+  if (sheet.in_si.balls > 0) Balls{sheet}.put();
 }
 
 }  // namespace equipoise::study

@@ -30,9 +30,7 @@ void read_array(const StudyFile& file, const char* key, const char* wanted, std:
     throw InputError(file.where(key, value), key, "", wanted);
   for (std::size_t i = 1; i <= array->size(); ++i) {
     entries.emplace_back();
-    TableReader reader(file, fmt::format("{}.{}", key, i));
-    read_keys(reader, key, study);
-    reader.finish();
+    read_table(file, fmt::format("{}.{}", key, i), study);
   }
 }
 
@@ -102,10 +100,8 @@ void read_places(const StudyFile& file, Study& study) {
 }
 
 void read_oil(const StudyFile& file, Study& study) {
-  TableReader oil(file, "balancer.oil");
-  oil.require("grade", "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"");
-  read_keys(oil, "balancer.oil", study);
-  oil.finish();
+  TableReader(file, "balancer.oil").require("grade", "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"");
+  read_table(file, "balancer.oil", study);
 }
 
 void check_material(TableReader& reader, const std::string& name) {
@@ -161,14 +157,6 @@ void read_balancer(const StudyFile& file, Study& study) {
 
 namespace {
 
-void read_target(const StudyFile& file, Study& study) {
-  TableReader reader(file, "speed.torque.target");
-  Profile& profile = study.speed.torque.target.profile;
-  profile = reader.choice<Profile>("profile", std::span(profile_names).first(target_profiles));
-  read_keys(reader, "speed.torque.target", study);
-  reader.finish();
-}
-
 // Of a motor that is stated by its nameplate; whether it is.
 bool read_nameplate(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed.torque");
@@ -208,14 +196,11 @@ void read_torque(const StudyFile& file, Study& study) {
   read_keys(reader, "speed.torque", study);
   if (motor.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
-    read_target(file, study);
+    constexpr char target[] = "speed.torque.target";
+    const auto profiles = std::span(profile_names).first(target_profiles);
+    motor.target.profile = TableReader(file, target).choice<Profile>("profile", profiles);
+    read_table(file, target, study);
   }
-  reader.finish();
-}
-
-void read_load(const StudyFile& file, Study& study) {
-  TableReader reader(file, "speed.load");
-  read_keys(reader, "speed.load", study);
   reader.finish();
 }
 
@@ -244,7 +229,7 @@ void read_speed(const StudyFile& file, Study& study) {
   if (study.speed.driven()) {
     if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
     read_torque(file, study);
-    if (reader.has("load")) read_load(file, study);
+    if (reader.has("load")) read_table(file, "speed.load", study);
     if (study.speed.law != model::SpeedLaw::kinematic)
       reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
   }

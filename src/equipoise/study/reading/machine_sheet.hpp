@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/reading/rules.hpp"
@@ -21,15 +22,27 @@ std::optional<double> grade_named(const std::string& text);
 /// The study of a machine in physical units, from its quantities in SI units (docs/explanation/equations.md, "Units").
 Study nondimensionalise(const Study& machine, const Refuse& refuse);
 
-// Its parts: they read `machine`, in SI units, and put what follows into `study`.
+/// Its parts read `machine`, in SI units, and put what follows into `study`.
+struct Sheet {
+  const Study& machine;
+  Study& study;
+  const Refuse& refuse;
+  const DataSheet& given = machine.sheet;
+  const model::Parameters& in_si = machine.parameters;
+  model::Parameters& p = study.parameters;
 
+  bool states(std::string_view key) const { return machine.states(key); }
+  std::string_view way(std::string_view first, bool required = true) const {
+    return way_of(machine, first, refuse, required);
+  }
+};
 /// Stiffnesses over their mean, which it returns in N/m.
-double put_stiffness(const Study& machine, Study& study, const Refuse& refuse);
-/// With the scales of `study`: damping, tilt, unbalance in places and inertia.
-void put_rotor(const Study& machine, Study& study, const Refuse& refuse);
+double put_stiffness(const Sheet& sheet);
+/// With the scales of the study: damping, tilt, unbalance in places and inertia.
+void put_rotor(const Sheet& sheet);
 /// The sizes of balls, in SI units; returns R in m.
-double put_race(const Study& machine, Study& study, const Refuse& refuse);
-/// With the scales of `study`: masses and drag of the balls, and how they touch.
-void put_balls(const Study& machine, Study& study, const Refuse& refuse);
+double put_race(const Sheet& sheet);
+/// With the scales of the study: masses and drag of the balls, and how they touch.
+void put_balls(const Sheet& sheet);
 
 }  // namespace equipoise::study

@@ -100,67 +100,69 @@ void divide(Study& study, const Refuse& refuse) {
 constexpr double to_rpm = 30.0 / pi;
 const std::string of_motor = "speed.torque.";
 
-double synchronous_speed(const Study& machine, const Refuse& refuse) {
-  const double rated = machine.sheet.rated_speed;
-  if (machine.states(of_motor + "synchronous_speed")) {
-    const double stated = machine.sheet.synchronous_speed;
-    if (!(stated > rated)) refuse(of_motor + "synchronous_speed", "must be greater than speed.torque.rated_speed");
+double synchronous_speed(const Sheet& s) {
+  const double rated = s.given.rated_speed;
+  if (s.states(of_motor + "synchronous_speed")) {
+    const double stated = s.given.synchronous_speed;
+    if (!(stated > rated)) s.refuse(of_motor + "synchronous_speed", "must be greater than speed.torque.rated_speed");
     return stated;
   }
   const std::vector<double> fitting = model::synchronous_speeds(rated);
   if (fitting.size() != 1) {
     std::vector<std::string> texts;
     for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
-    refuse(of_motor + "rated_speed",
-           texts.empty()
-               ? "is not within 10 % below a synchronous speed at 50 or 60 Hz; also give speed.torque.synchronous_speed"
-               : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
-                             fmt::join(texts, ", ")));
+    s.refuse(
+        of_motor + "rated_speed",
+        texts.empty()
+            ? "is not within 10 % below a synchronous speed at 50 or 60 Hz; also give speed.torque.synchronous_speed"
+            : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
+                          fmt::join(texts, ", ")));
   }
   return fitting.front();
 }
 
 // The curve that a nameplate stands for, in SI units.
-void put_nameplate(const Study& machine, Study& study, const Refuse& refuse) {
-  const DataSheet& d = machine.sheet;
-  const bool power = machine.states(of_motor + "power"), stated = machine.states(of_motor + "rated_torque");
-  if (!machine.speed.driven() || (!power && !stated)) return;
+void put_nameplate(const Sheet& s) {
+  const DataSheet& d = s.given;
+  const bool power = s.states(of_motor + "power"), stated = s.states(of_motor + "rated_torque");
+  if (!s.machine.speed.driven() || (!power && !stated)) return;
   model::Nameplate motor;
   motor.rated_speed = d.rated_speed;
-  motor.synchronous_speed = synchronous_speed(machine, refuse);
+  motor.synchronous_speed = synchronous_speed(s);
   motor.rated_torque = stated ? d.rated_torque : d.power / motor.rated_speed;
   // Catalogues round: a tenth apart is another motor.
   if (power && stated && std::fabs(d.rated_torque * motor.rated_speed / d.power - 1.0) > 0.1)
-    refuse(of_motor + "rated_torque",
-           fmt::format("contradicts speed.torque.power, which is {:.4g} N m at the rated speed",
-                       d.power / motor.rated_speed));
+    s.refuse(of_motor + "rated_torque",
+             fmt::format("contradicts speed.torque.power, which is {:.4g} N m at the rated speed",
+                         d.power / motor.rated_speed));
   motor.breakdown_ratio = d.breakdown_ratio;
   const std::string locked = of_motor + "locked_rotor_ratio";
-  if (machine.states(locked)) {
+  if (s.states(locked)) {
     motor.locked_rotor_ratio = d.locked_rotor_ratio;
     if (!at_most(d.locked_rotor_ratio, motor.breakdown_ratio))
-      refuse(locked,
-             fmt::format("contradicts speed.torque.breakdown_ratio; must be at most {}", motor.breakdown_ratio));
+      s.refuse(locked,
+               fmt::format("contradicts speed.torque.breakdown_ratio; must be at most {}", motor.breakdown_ratio));
     if (model::breakdown_slip(motor) >= 1.0)
-      refuse(
+      s.refuse(
           locked,
           "is not possible: at this rated speed and breakdown ratio the torque falls from standstill on; leave it out");
   }
   const model::CurvePoints curve = model::nameplate_curve(motor);
-  study.speed.torque.speeds = curve.speeds;
-  study.speed.torque.values = curve.torques;
+  s.study.speed.torque.speeds = curve.speeds;
+  s.study.speed.torque.values = curve.torques;
 }
 
 }  // namespace
 
 Study nondimensionalise(const Study& machine, const Refuse& refuse) {
   Study study = machine;
-  put_nameplate(machine, study, refuse);
-  const double stiffness = put_stiffness(machine, study, refuse);
-  study.scales = model::Scales::of(machine.sheet.mass, put_race(machine, study, refuse), stiffness);
+  const Sheet sheet{machine, study, refuse};
+  put_nameplate(sheet);
+  const double stiffness = put_stiffness(sheet);
+  study.scales = model::Scales::of(machine.sheet.mass, put_race(sheet), stiffness);
   divide(study, refuse);
-  put_rotor(machine, study, refuse);
-  put_balls(machine, study, refuse);
+  put_rotor(sheet);
+  put_balls(sheet);
   return study;
 }
 

@@ -29,12 +29,6 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-void read_table(const StudyFile& file, const char* table, Study& study) {
-  TableReader reader(file, table);
-  read_keys(reader, table, study);
-  reader.finish();
-}
-
 void read_release(const StudyFile& file, Study& study) {
   if (study.parameters.balls > 0)
     read_table(file, "release", study);
@@ -178,9 +172,8 @@ void infer_profile(StudyFile& file) {
 // A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
 // A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
 void free_balls_of_machine(StudyFile& file) {
-  const StudyValue* profile = file.root.find_path("speed.profile");
-  if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
-    return;
+  const std::string* profile = file.root.find_text("speed.profile");
+  if (profile && *profile == profile_names[static_cast<std::size_t>(Profile::torque)]) return;
   StudyValue* release = file.root.find("release");
   if (!release) release = &file.root.set("release", StudyValue());
   if (release->table() && release->table()->empty()) release->set("time", "0 s");
@@ -188,8 +181,7 @@ void free_balls_of_machine(StudyFile& file) {
 
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
 void read_grade(StudyFile& file) {
-  const StudyValue* value = file.root.find_path("limits.residual");
-  const std::string* text = value ? value->string() : nullptr;
+  const std::string* text = file.root.find_text("limits.residual");
   if (!text || text->empty() || text->front() != 'G') return;
   TableReader reader(file, "limits");
   if (!file.physical)

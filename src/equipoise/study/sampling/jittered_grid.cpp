@@ -1,5 +1,5 @@
 // A jittered grid: cells by rank in shuffled order, and jitter within a cell.
-#include "equipoise/study/sampling/jittered_grid.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
 
 #include <algorithm>
 #include <bit>

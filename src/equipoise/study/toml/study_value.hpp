@@ -57,6 +57,11 @@ class StudyValue {
   /// A nested member by its dotted path, "speed.torque.target", "place.2.mass"; null if absent.
   const StudyValue* find_path(std::string_view dotted) const;
   StudyValue* find_path(std::string_view dotted);
+  /// The string there; null if there is none.
+  const std::string* find_text(std::string_view dotted) const {
+    const StudyValue* value = find_path(dotted);
+    return value ? value->string() : nullptr;
+  }
   /// Replaces a table's member in place, or appends it, and returns it. Throws std::logic_error if this is no table.
   StudyValue& set(std::string key, StudyValue value);
   void erase(std::string_view key);

@@ -16,99 +16,65 @@ namespace equipoise::study {
 
 namespace {
 
-// symbol: takes the prefixes k and m; word: takes kilo, and a plural s; alone: neither.
-enum class Form { symbol, word, alone };
-
+// Names are between blanks. Symbols take the prefixes k and m, words kilo and a plural s, the others neither.
 struct NamedUnit {
-  std::string_view names;  // between blanks
   TableUnit unit;
-  Form form;
+  std::string_view symbols, words{}, others{};
 };
 
-constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0, 0, 0, 1, 0}, radian{1.0, 0, 0, 0, 1},
-    degree{pi / 180.0, 0, 0, 0, 1}, inch{2.54 * 0.01, 0, 1, 0, 0}, foot{12.0 * (2.54 * 0.01), 0, 1, 0, 0},
-    pound{0.45359237, 1, 0, 0, 0}, tonne{1000.0, 1, 0, 0, 0}, minute{60.0, 0, 0, 1, 0}, hour{3600.0, 0, 0, 1, 0},
-    turn{2.0 * pi, 0, 0, 0, 1}, rpm{2.0 * pi / 60.0, 0, 0, -1, 1}, rps{2.0 * pi, 0, 0, -1, 1}, hertz{1.0, 0, 0, -1, 0},
-    newton{1.0, 1, 1, -2, 0}, pascal{1.0, 1, -1, -2, 0}, joule{1.0, 1, 2, -2, 0}, watt{1.0, 1, 2, -3, 0},
-    stokes{1e-4, 0, 2, -1, 0}, kilogram_force{9.80665, 1, 1, -2, 0}, pound_force{0.45359237 * 9.80665, 1, 1, -2, 0},
-    ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
-    litre{1e-3, 0, 3, 0, 0}, poise{0.1, 1, -1, -1, 0}, dyne{1e-5, 1, 1, -2, 0}, yard{36.0 * (2.54 * 0.01), 0, 1, 0, 0},
-    day{86400.0, 0, 0, 1, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
+constexpr double an_inch = 2.54 * 0.01, a_foot = 12.0 * an_inch, a_pound = 0.45359237, g_0 = 9.80665;
 
 constexpr auto units = std::to_array<NamedUnit>({
-    {"g", gram, Form::symbol},
-    {"gram", gram, Form::word},
-    {"m", metre, Form::symbol},
-    {"meter metre", metre, Form::word},
-    {"s", second, Form::symbol},
-    {"second", second, Form::word},
-    {"sec", second, Form::alone},
-    {"rad", radian, Form::symbol},
-    {"radian", radian, Form::word},
-    {"degree", degree, Form::word},
-    {"deg °", degree, Form::alone},
-    {"in inch inches", inch, Form::alone},
-    {"ft foot feet", foot, Form::alone},
-    {"lb lbs lbm", pound, Form::alone},
-    {"pound", pound, Form::word},
-    {"t", tonne, Form::alone},
-    {"tonne", tonne, Form::word},
-    {"min", minute, Form::alone},
-    {"minute", minute, Form::word},
-    {"h hr", hour, Form::alone},
-    {"hour", hour, Form::word},
-    {"turn revolution rotation cycle", turn, Form::word},
-    {"rev r U", turn, Form::alone},  // U/min
-    {"rpm RPM", rpm, Form::alone},
-    {"rps", rps, Form::alone},
-    {"Hz", hertz, Form::symbol},
-    {"hertz", hertz, Form::alone},
-    {"N", newton, Form::symbol},
-    {"newton", newton, Form::word},
-    {"Pa", pascal, Form::symbol},
-    {"pascal", pascal, Form::word},
-    {"J Nm", joule, Form::symbol},
-    {"joule", joule, Form::word},
-    {"W", watt, Form::symbol},
-    {"watt", watt, Form::word},
-    {"St", stokes, Form::symbol},
-    {"stokes", stokes, Form::alone},
-    {"micron", {1e-6, 0, 1, 0, 0}, Form::word},
-    {"bar", {1e5, 1, -1, -2, 0}, Form::symbol},
-    {"kmh kph", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
-    {"mph", {63360.0 * (2.54 * 0.01) / 3600.0, 0, 1, -1, 0}, Form::alone},
-    {"kgf kp kilogram_force", kilogram_force, Form::alone},
-    {"lbf pound_force", pound_force, Form::alone},
-    {"psi", {0.45359237 * 9.80665 / ((2.54 * 0.01) * (2.54 * 0.01)), 1, -1, -2, 0}, Form::alone},
-    {"poise", poise, Form::word},
-    {"P", poise, Form::alone},
-    {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
-    {"gravity", {9.80665, 0, 1, -2, 0}, Form::alone},
-    {"oz", ounce, Form::alone},  // of mass
-    {"ounce", ounce, Form::word},
-    {"ozf ounce_force", ounce_force, Form::alone},
-    {"gf", {0.001 * 9.80665, 1, 1, -2, 0}, Form::alone},
-    {"dyn", dyne, Form::alone},
-    {"dyne", dyne, Form::word},
-    {"erg", {1e-7, 1, 2, -2, 0}, Form::word},
-    {"hp horsepower", horsepower, Form::alone},
-    {"slug", {0.45359237 * 9.80665 / (12.0 * (2.54 * 0.01)), 1, 0, 0, 0}, Form::word},
-    {"mil", {0.001 * (2.54 * 0.01), 0, 1, 0, 0}, Form::word},
-    {"yd", yard, Form::alone},
-    {"yard", yard, Form::word},
-    {"l L", litre, Form::symbol},
-    {"liter litre", litre, Form::word},
-    {"d", day, Form::alone},
-    {"day", day, Form::word},
-    {"arcmin ′", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
-    {"arcsec ″", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
+    {{0.001, 1}, "g", "gram"},
+    {{1.0, 0, 1}, "m", "meter metre"},
+    {{1.0, 0, 0, 1}, "s", "second", "sec"},
+    {{1.0, 0, 0, 0, 1}, "rad", "radian"},
+    {{pi / 180.0, 0, 0, 0, 1}, "", "degree", "deg °"},
+    {{an_inch, 0, 1}, "", "", "in inch inches"},
+    {{a_foot, 0, 1}, "", "", "ft foot feet"},
+    {{a_pound, 1}, "", "pound", "lb lbs lbm"},
+    {{1000.0, 1}, "", "tonne", "t"},
+    {{60.0, 0, 0, 1}, "", "minute", "min"},
+    {{3600.0, 0, 0, 1}, "", "hour", "h hr"},
+    {{2.0 * pi, 0, 0, 0, 1}, "", "turn revolution rotation cycle", "rev r U"},  // U/min
+    {{2.0 * pi / 60.0, 0, 0, -1, 1}, "", "", "rpm RPM"},
+    {{2.0 * pi, 0, 0, -1, 1}, "", "", "rps"},
+    {{1.0, 0, 0, -1}, "Hz", "", "hertz"},
+    {{1.0, 1, 1, -2}, "N", "newton"},
+    {{1.0, 1, -1, -2}, "Pa", "pascal"},
+    {{1.0, 1, 2, -2}, "J Nm", "joule"},
+    {{1.0, 1, 2, -3}, "W", "watt"},
+    {{1e-4, 0, 2, -1}, "St", "", "stokes"},
+    {{1e-6, 0, 1}, "", "micron"},
+    {{1e5, 1, -1, -2}, "bar"},
+    {{1000.0 / 3600.0, 0, 1, -1}, "", "", "kmh kph"},
+    {{63360.0 * an_inch / 3600.0, 0, 1, -1}, "", "", "mph"},
+    {{g_0, 1, 1, -2}, "", "", "kgf kp kilogram_force"},
+    {{a_pound * g_0, 1, 1, -2}, "", "", "lbf pound_force"},
+    {{a_pound * g_0 / (an_inch * an_inch), 1, -1, -2}, "", "", "psi"},
+    {{0.1, 1, -1, -1}, "", "poise", "P"},
+    {{0.1 * 1e-2, 1, -1, -1}, "", "", "cP"},
+    {{g_0, 0, 1, -2}, "", "", "gravity"},
+    {{a_pound / 16.0, 1}, "", "ounce", "oz"},  // of mass
+    {{a_pound * g_0 / 16.0, 1, 1, -2}, "", "", "ozf ounce_force"},
+    {{0.001 * g_0, 1, 1, -2}, "", "", "gf"},
+    {{1e-5, 1, 1, -2}, "", "dyne", "dyn"},
+    {{1e-7, 1, 2, -2}, "", "erg"},
+    {{550.0 * (a_pound * g_0) * a_foot, 1, 2, -3}, "", "", "hp horsepower"},
+    {{a_pound * g_0 / a_foot, 1}, "", "slug"},
+    {{0.001 * an_inch, 0, 1}, "", "mil"},
+    {{36.0 * an_inch, 0, 1}, "", "yard", "yd"},
+    {{1e-3, 0, 3}, "l L", "liter litre"},
+    {{86400.0, 0, 0, 1}, "", "day", "d"},
+    {{pi / 180.0 / 60.0, 0, 0, 0, 1}, "", "", "arcmin ′"},
+    {{pi / 180.0 / 3600.0, 0, 0, 0, 1}, "", "", "arcsec ″"},
     // Products that are often written without a blank.
-    {"Nmm", {0.001, 1, 2, -2, 0}, Form::symbol},
-    {"Ns", {1.0, 1, 1, -1, 0}, Form::symbol},
-    {"Nms", {1.0, 1, 2, -1, 0}, Form::symbol},
-    {"Pas", {1.0, 1, -1, -1, 0}, Form::symbol},
-    {"gmm", {0.001 * 0.001, 1, 1, 0, 0}, Form::symbol},
-    {"gcm", {0.001 * 0.01, 1, 1, 0, 0}, Form::symbol},
+    {{0.001, 1, 2, -2}, "Nmm"},
+    {{1.0, 1, 1, -1}, "Ns"},
+    {{1.0, 1, 2, -1}, "Nms"},
+    {{1.0, 1, -1, -1}, "Pas"},
+    {{0.001 * 0.001, 1, 1}, "gmm"},
+    {{0.001 * 0.01, 1, 1}, "gcm"},
 });
 
 struct Prefix {
@@ -130,33 +96,40 @@ constexpr std::array<Prefix, 14> prefixes{{{"k", "kilo", 1e3},
                                            {"p", "pico", 1e-12},
                                            {"T", "tera", 1e12}}};
 
-using UnitsByName = std::map<std::string_view, const NamedUnit*>;
+using Names = std::string_view NamedUnit::*;
+struct Found {
+  const TableUnit* unit = nullptr;
+  Names among{};
+};
+using UnitsByName = std::map<std::string_view, Found>;
 
 UnitsByName by_name() {
   UnitsByName all;
   for (const NamedUnit& unit : units)
-    for (std::string_view rest = unit.names; !rest.empty();) {
-      const std::string_view name = rest.substr(0, rest.find(' '));
-      all.emplace(name, &unit);
-      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
-    }
+    for (const Names among : {&NamedUnit::symbols, &NamedUnit::words, &NamedUnit::others})
+      for (std::string_view rest = unit.*among; !rest.empty();) {
+        const std::string_view name = rest.substr(0, rest.find(' '));
+        all.emplace(name, Found{&unit.unit, among});
+        rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+      }
   return all;
 }
 
-const NamedUnit* find_unit(std::string_view name) {
+Found find_unit(std::string_view name) {
   static const UnitsByName all = by_name();
   if (const auto found = all.find(name); found != all.end()) return found->second;
   const auto one = name.ends_with('s') ? all.find(name.substr(0, name.size() - 1)) : all.end();
-  return one != all.end() && one->second->form == Form::word ? one->second : nullptr;
+  return one != all.end() && one->second.among == &NamedUnit::words ? one->second : Found{};
 }
 
 std::optional<TableUnit> named(std::string_view name) {
-  if (const NamedUnit* found = find_unit(name)) return found->unit;
+  if (const Found found = find_unit(name); found.unit) return *found.unit;
   for (const Prefix& p : prefixes)
-    for (const auto& [before, form] : {std::pair{p.word, Form::word}, std::pair{p.symbol, Form::symbol}}) {
-      const NamedUnit* found = name.starts_with(before) ? find_unit(name.substr(before.size())) : nullptr;
-      if (!found || found->form != form) continue;
-      TableUnit unit = found->unit;
+    for (const auto& [before, names] :
+         {std::pair{p.word, &NamedUnit::words}, std::pair{p.symbol, &NamedUnit::symbols}}) {
+      const Found found = name.starts_with(before) ? find_unit(name.substr(before.size())) : Found{};
+      if (!found.unit || found.among != names) continue;
+      TableUnit unit = *found.unit;
       unit.si *= p.factor;
       return unit;
     }
@@ -171,25 +144,18 @@ TableUnit power(const TableUnit& a, int n) {
   return {std::pow(a.si, n), n * a.kilogram, n * a.metre, n * a.second, n * a.radian};
 }
 
-constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"⁰", '0'},
-                                                                    {"¹", '1'},
-                                                                    {"²", '2'},
-                                                                    {"³", '3'},
-                                                                    {"⁴", '4'},
-                                                                    {"⁵", '5'},
-                                                                    {"⁶", '6'},
-                                                                    {"⁷", '7'},
-                                                                    {"⁸", '8'},
-                                                                    {"⁹", '9'},
-                                                                    {"⁻", '-'}}};
-// The middle dot and the dot operator; no-break, narrow no-break and thin spaces.
-constexpr std::array<std::pair<std::string_view, char>, 5> signs{
-    {{"\u00B7", '.'}, {"\u22C5", '.'}, {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '}}};
+// Characters, and the plain sign of each. The latter: the middle dot and the dot operator; no-break, narrow no-break
+// and thin spaces.
+struct Signs {
+  std::string_view characters, plain;
+};
+constexpr Signs raised{"⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"}, dots_and_spaces{"\u00B7\u22C5\u00A0\u202F\u2009", "..   "};
 
-template <class Table>
-char meaning(const Table& table, std::string_view character) {
-  const auto at = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == character; });
-  return at == table.end() ? 0 : at->second;
+char meaning(const Signs& signs, std::string_view character) {
+  std::size_t k = 0;
+  for (std::size_t at = 0; at < signs.characters.size(); at += character_length(signs.characters, at), ++k)
+    if (signs.characters.substr(at).starts_with(character)) return signs.plain[k];
+  return 0;
 }
 
 std::string in_plain_signs(std::string_view text) {
@@ -200,7 +166,7 @@ std::string in_plain_signs(std::string_view text) {
     const std::string_view character = text.substr(at, length);
     at += length;
     const bool ascii = length == 1;
-    const char power = ascii ? 0 : meaning(raised, character), sign = ascii ? 0 : meaning(signs, character);
+    const char power = ascii ? 0 : meaning(raised, character), sign = ascii ? 0 : meaning(dots_and_spaces, character);
     if (power && !in_power) plain += '^';
     in_power = power != 0;
     if (power || sign)

@@ -83,13 +83,6 @@ double factor(const TableUnit& unit, std::string_view unit_text, Dimension wante
   return one;
 }
 
-std::string wanted_text(const std::vector<Dimension>& wanted) {
-  std::string text;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    text += fmt::format("{}{}, such as \"{}\"", i ? ", or " : "", words(wanted[i]).name, words(wanted[i]).example);
-  return text;
-}
-
 bool measures(const std::string& unit, Dimension wanted) {
   if (const auto known = table_unit(unit)) return factor(*known, unit, wanted) != 0.0;
   return wanted == Dimension::temperature;  // the usual ones next to the table
@@ -138,6 +131,13 @@ bool take_fraction(double& value, std::string_view& text) {
 }
 
 }  // namespace
+
+std::string wanted_text(const std::vector<Dimension>& wanted, const std::string& bound) {
+  std::string text;
+  for (const Dimension d : wanted)
+    text += fmt::format("{}{}{}, such as \"{}\"", text.empty() ? "" : ", or ", words(d).name, bound, words(d).example);
+  return text;
+}
 
 const DimensionWords& words(Dimension dimension) { return all_words.at(static_cast<std::size_t>(dimension)); }
 

@@ -49,6 +49,8 @@ struct DimensionWords {
   double (*scale)(const model::Scales&) = nullptr;  ///< one dimensionless unit in `si`; null: no such study has it
 };
 const DimensionWords& words(Dimension dimension);
+/// "a length of 0 or more, such as "0.2 mm"", of one of these; `bound`: " of 0 or more".
+std::string wanted_text(const std::vector<Dimension>& wanted, const std::string& bound = "");
 
 /// The unit in which results are shown, and the dimensionless unit in it: mm, N, mm/s, rpm of a study with scales.
 struct ShownUnit {

@@ -1,4 +1,5 @@
-// A study's numbers on a page: three digits, in the machine's units if it has them.
+// Quantities in the units that engineers use: five digits in text; three on a page, in the machine's units if it has
+// them.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,20 @@
 
 namespace equipoise {
 
+/// A unit as written, and its value in SI units.
+struct EngineeringUnit {
+  const char* name;
+  double si;
+};
+
+/// The largest unit in which `si` is at least 1; speeds of rotation in rpm.
+EngineeringUnit engineering_unit(double si, study::Dimension dimension);
+
+/// "0.2 mm": five digits, in that unit.
+std::string engineering(double si, study::Dimension dimension);
+/// The same of a study's own number; without scales its five digits alone.
+std::string engineering(const std::optional<model::Scales>& scales, double value, study::Dimension dimension);
+
 /// Three digits; four if there are as many before the point: "0.0331", "3573", "12350".
 std::string page_number(double value);
 
@@ -17,6 +32,9 @@ std::string page_number(double value);
 std::string key_words(const std::string& key);
 /// A key's value as it was given; a plain number gets its symbol, if there is one: "2.4 ω_c".
 std::string value_words(const std::string& key, const std::string& value);
+
+/// The unit in which tables and JSON show a study's numbers.
+inline study::ShownUnit unit_of(const Study& study, study::Dimension d) { return study::shown_unit(d, study.scales); }
 
 class PageQuantities {
  public:

@@ -1,5 +1,6 @@
-// Of an ensemble only what answers the question. Every number is one that its JSON has.
-#include "equipoise/report/reports/basin_summary.hpp"
+// The tables of an ensemble: figures against limits, outcomes, what balance depends on. Every number is one that its
+// JSON has.
+#include "equipoise/report/reports/basin_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/core/base/plural.hpp"
-#include "equipoise/machine/mechanics/forced_vibration.hpp"
-#include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/answers/sampling_text.hpp"
-#include "equipoise/report/answers/start_text.hpp"
-#include "equipoise/report/decision/plain_names.hpp"
-#include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/reports/reports.hpp"
-#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -31,8 +23,15 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// The figures that matter most, each with its limit if there is one, without balls, and with them in the median and in
-// nine runs of ten.
+std::string range_text(const Estimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
+}  // namespace
+
+std::string end_name(const BasinResult& r, const OutcomeShare& o) {
+  return o.id == stalled_code
+             ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed)
+             : o.name;
+}
+
 DocumentTable short_table(const BasinResult& r) {
   const Study& study = r.study;
   const TransientGroup& with = r.transients->groups.front();
@@ -60,7 +59,7 @@ DocumentTable short_table(const BasinResult& r) {
   DocumentTable table{header};
   const auto row = [&](const std::string& name, const std::vector<std::string>& figures, bool over) {
     std::vector<DocumentCell>& cells = table.rows.emplace_back();
-    cells.push_back({name, Tone::plain, false, true});
+    cells.push_back(label_cell(name));
     for (const std::string& text : figures) cells.push_back(number_cell(text));
     if (limited) cells.push_back({over ? "OVER" : "", Tone::bad});
     cells.resize(header.size());
@@ -69,7 +68,7 @@ DocumentTable short_table(const BasinResult& r) {
     const std::size_t k = figure_place(figure);
     const TransientFigure& f = transient_figures[k];
     if (!r.transients->asks(f, limits) || with.figures[k].count == 0) return;
-    const study::ShownUnit unit = study::shown_unit(f.told_in(), study.scales);
+    const study::ShownUnit unit = unit_of(study, f.told_in());
     const auto shown = [&](double value, const char* open) {
       return value == 0.0 ? std::string("0")
              : std::isfinite(value)
@@ -100,7 +99,7 @@ DocumentTable short_table(const BasinResult& r) {
   figure_rows(true, {&TransientRow::peak_radial_at_end, &TransientRow::rms_force, &TransientRow::rms_velocity});
   if (const auto grade = left_grade(with, study); bare && grade) {
     const auto without = left_grade(bare->figures, study);
-    const double mm_per_s = study::shown_unit(Dimension::velocity, study.scales).size;
+    const double mm_per_s = unit_of(study, Dimension::velocity).size;
     const auto most = limits.grade ? std::optional(*limits.grade * mm_per_s) : std::nullopt;
     const auto shown = [](const std::optional<double>& g) { return g ? fmt::format("G {:.3g}", *g) : "-"; };
     std::vector<std::string> figures{shown(without), shown(grade)};
@@ -111,95 +110,12 @@ DocumentTable short_table(const BasinResult& r) {
   return table;
 }
 
-class Summary {
- public:
-  explicit Summary(const BasinResult& r) : r_(r), study_(r.study), shown_(r.study) {
-    if (r.transients) all_ = r.transients->of(std::nullopt);
-  }
-
-  Document make(std::span<const TriedChange> tried) {
-    document_.sheet = true;
-    if (const auto verdict = verdict_of(r_, tried))
-      document_.add(verdict_notice(*verdict));
-    else
-      document_.add(Paragraph{answer_sentence(r_), Tone::plain, true});
-    add_stopped(document_, r_);
-    add_note(document_, r_);
-    add_hanging(document_, study_);
-    if (study_.parameters.balls == 0 && r_.without_balls) {
-      document_.add(bare_table(r_));
-      for (const std::string& sentence : without_balls_words(r_)) document_.add(Paragraph{sentence});
-    } else if (r_.starts > 0) {
-      // Vibration is what counts in a machine, and probabilities in a rotor without units.
-      std::vector<DocumentTable> tables{outcome_table(r_, true)};
-      if (all_) tables.insert(study_.scales ? tables.begin() : tables.end(), short_table(r_));
-      for (DocumentTable& table : tables) document_.add(std::move(table));
-      if (r_.sensitivity) add_sensitivity(document_, *r_.sensitivity);
-      if (tells_without_balls(r_))
-        for (const std::string& sentence : not_steady_words(r_.without_balls->bare, "Without balls", study_))
-          document_.add(Paragraph{sentence});
-    }
-    in_short();
-    return std::move(document_);
-  }
-
- private:
-  // What the numbers are of.
-  void in_short() {
-    const model::Parameters& p = study_.parameters;
-    const auto shown = [&](double value, Dimension d) { return shown_.text(value, d); };
-    std::string words = study_.scales
-                            ? fmt::format("Machine: {}", shown(1.0, Dimension::mass))
-                            : fmt::format("Rotor: eccentricity {:.4g}, damping {:.4g}", p.eccentricity, p.damping[0]);
-    if (!p.tilts() && study_.scales) {
-      const auto critical = model::critical_speeds(p);
-      words += fmt::format(", critical speed {}", shown(critical[0], Dimension::speed));
-      if (critical[0] != critical[1]) words += fmt::format(" and {} (x, y)", shown(critical[1], Dimension::speed));
-    }
-    if (!study_.speed.driven())
-      words += fmt::format(", run at {}", shown(study_.speed_profile().final_speed(), Dimension::speed));
-    words += fmt::format("; {} ball{}", p.balls, plural(p.balls));
-    if (p.balls > 0 && study_.scales) words += fmt::format(" on a circle of {}", shown(1.0, Dimension::length));
-    if (study_.speed.law == model::SpeedLaw::published && study_.speed.profile != Profile::constant)
-      words += "; PUBLISHED speed law, psi = t Omega(t)";
-    words += ".";
-    if (const std::string held = release_text(study_); p.balls > 0 && !held.empty())
-      words += fmt::format(" {}.", capitalised(held));
-    if (all_)
-      words +=
-          tells_without_balls(r_) ? " \"No balls\" and \"with balls\" are medians." : " \"With balls\" is the median.";
-    if (all_ && !study_.scales) words += " Units: R, R omega_c, M R omega_c^2, 1/omega_c.";
-    if (all_ && study_.parameters.gravity != 0.0)
-      words += " Displacements are from where the rotor rests; forces include its weight.";
-    if (all_ && study_.parameters.tilts()) words += " Where along the shaft figures are taken: --details.";
-    if (r_.starts > 0) {
-      const std::vector<std::string> drawn = drawn_keys(study_);
-      const bool plain = study_.sampling.method.value_or(SamplingMethod::random) == SamplingMethod::random &&
-                         drawn.empty() && study_.sampling.box.empty() && drawn_instead(study_).empty();
-      words += fmt::format(" {} runs{},", r_.starts,
-                           r_.own_starts ? " from given starts"
-                           : plain       ? fmt::format(", seed {}", study_.sampling.seed)
-                                         : " " + starts_words(study_, drawn));
-    }
-    document_.add(Paragraph{fmt::format("{} {:.2g} s CPU time. More: --details, --json.", words, r_.cpu_seconds)});
-  }
-
-  const BasinResult& r_;
-  const Study& study_;
-  const PageQuantities shown_;
-  const TransientGroup* all_ = nullptr;
-  Document document_;
-};
-
-}  // namespace
-
 DocumentTable outcome_table(const BasinResult& r, bool brief) {
   constexpr std::size_t most = 6;
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
-  const study::ShownUnit velocity = study::shown_unit(Dimension::velocity, r.study.scales);
-  const study::ShownUnit length = study::shown_unit(Dimension::length, r.study.scales);
+  const study::ShownUnit velocity = unit_of(r.study, Dimension::velocity), length = unit_of(r.study, Dimension::length);
   const bool full = !brief, graded = full && t && is_graded(r.study);
   std::vector<const OutcomeShare*> motions;
   for (const OutcomeShare& a : r.attractors)
@@ -220,11 +136,11 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
   };
   column(open, "bounds", false);
   column(velocities, fmt::format("RMS at end, {}", velocity.name), false);
-  const auto unit_of = [&](const OutcomeNumber& n) {
-    return n.dimension ? study::shown_unit(*n.dimension, r.study.scales) : study::ShownUnit{"", 1.0};
+  const auto number_unit = [&](const OutcomeNumber& n) {
+    return n.dimension ? unit_of(r.study, *n.dimension) : study::ShownUnit{"", 1.0};
   };
   for (const OutcomeNumber& n : outcome_numbers)
-    column(full, physical && n.dimension ? fmt::format("{}, {}", n.title, unit_of(n).name) : n.title, true);
+    column(full, physical && n.dimension ? fmt::format("{}, {}", n.title, number_unit(n).name) : n.title, true);
   column(full, "starts", true);
   column(full && even, "as good as", true);
   column(graded, "balance quality", true);
@@ -238,7 +154,7 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
     };
     if (velocities) cells.push_back(mean(&TransientRow::rms_velocity, velocity));
     for (const OutcomeNumber& n : outcome_numbers)
-      if (full) cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * unit_of(n).size) : "-"));
+      if (full) cells.push_back(number_cell(ended ? fmt::format("{:.4g}", n.value(o) * number_unit(n).size) : "-"));
     if (full) cells.push_back(number_cell(fmt::format("{}", o.share.count)));
     if (full && even) cells.push_back(number_cell(as_good_as(o.share)));
     const auto grade = group && graded ? left_grade(*group, r.study) : std::nullopt;
@@ -269,34 +185,27 @@ DocumentTable outcome_table(const BasinResult& r, bool brief) {
   return table;
 }
 
-std::string end_name(const BasinResult& r, const OutcomeShare& o) {
-  return o.id == stalled_code
-             ? "stalled below " + engineering(r.study.scales, r.study.stall_speed(), study::Dimension::speed)
-             : o.name;
-}
-
-void add_stopped(Document& document, const BasinResult& r) {
-  if (r.study.parameters.balls == 0 ? r.without_balls.has_value() : !r.partial && r.starts > 0) return;
-  std::string text = "PARTIAL: stopped before anything was known.";
-  if (r.study.parameters.balls > 0)
-    text = r.starts == 0 ? "PARTIAL: stopped before the first start was decided; there are no shares."
-                         : fmt::format("PARTIAL: stopped after {}{} starts; all figures are of those.", r.starts,
-                                       r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
-  document.add(Paragraph{text, Tone::bad});
-}
-
-void add_note(Document& document, const BasinResult& r) {
-  if (r.study.parameters.balls > 0 && !r.note.empty())
-    document.add(Paragraph{fmt::format("Note: {}.", note_text(r.study, r.note)), Tone::open});
-}
-
-void add_hanging(Document& document, const Study& study) {
-  if (const std::string hanging = hanging_text(study); !hanging.empty())
-    document.add(Paragraph{fmt::format("Warning: {}.", hanging), Tone::open});
-}
-
-Document basin_summary(const BasinResult& result, std::span<const TriedChange> tried) {
-  return Summary(result).make(tried);
+void add_sensitivity(Document& document, const SensitivityResult& r) {
+  if (r.inputs.empty()) {
+    document.add(Paragraph{r.rows == 0 ? "What balance depends on: nothing was followed to the end."
+                                       : fmt::format("What balance depends on: nothing; of {} starts {} balanced.",
+                                                     2 * r.rows, r.balanced.count == 0 ? "none" : "all")});
+  } else {
+    DocumentTable table{{"balance depends on", "first order", "95 % interval", "total", "95 % interval"}};
+    for (const auto& [key, indices] : r.inputs)
+      table.rows.push_back(row_of(
+          "tntnt", {key == start_input ? "where the start begins" : key, fmt::format("{:.2f}", indices.first.value),
+                    range_text(indices.first), fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
+    table.caption =
+        "First order: the part of the variance of \"ends balanced\" that goes away on average if this alone is known; "
+        "total: the part that is left if all else is.";
+    document.add(std::move(table));
+  }
+  document.add(Paragraph{
+      fmt::format("{} starts in {} rows, {} of the independent starts balanced ({}){}.{}", r.evaluations, r.rows,
+                  percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced),
+                  r.undecided > 0 ? fmt::format("; {} undecided ones count as not balanced", r.undecided) : "",
+                  r.partial ? " PARTIAL: stopped before all rows were done." : "")});
 }
 
 }  // namespace equipoise
