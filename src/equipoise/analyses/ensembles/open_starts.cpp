@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 
 namespace equipoise {
 
