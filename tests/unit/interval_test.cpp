@@ -115,7 +115,7 @@ TEST(Interval, SineAndCosineHoldTheValuesOfNumbers) {
 }
 
 // At an extremum and around it, also where the interval ends next to it.
-// What proofs take for granted: the error stated in core/math/proven_sine.hpp, near multiples of pi/2 too, where little
+// What proofs take for granted: the error stated in core/math/interval.hpp, near multiples of pi/2 too, where little
 // is left.
 TEST(ProvenSine, KeepsItsStatedError) {
   Random random;
