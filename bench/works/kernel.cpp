@@ -9,6 +9,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "kernel_count.hpp"
+#include "kernel_equations.hpp"
 #include "kernel_peak.hpp"
 #include "works.hpp"
 

@@ -8,7 +8,7 @@
 #include "../support/parameters.hpp"
 #include "../support/sizes.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
-#include "equipoise/attractors/equilibria/nearest_balanced.hpp"
+#include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/session.hpp"

@@ -16,7 +16,7 @@
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/proved_regions/certificate.hpp"
-#include "equipoise/classification/proved_regions/tilt_proof.hpp"
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"

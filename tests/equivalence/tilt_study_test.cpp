@@ -15,7 +15,6 @@
 #include "equipoise/machine/mechanics/capability.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/simulation/trajectory/followed_run.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "equipoise/study/contents/study.hpp"

@@ -28,7 +28,7 @@
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/mechanics/higher_derivatives.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "tilt_fixed_flow.hpp"
 

@@ -10,7 +10,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/mapper/mapper.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
-#include "equipoise/simulation/trajectory/followed_run.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "../support/studies.hpp"

@@ -16,7 +16,7 @@ namespace convergence_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace dop853 = equipoise::HWY_NAMESPACE::dop853;
-namespace tableau = equipoise::dop853;
+namespace tableau = equipoise::HWY_NAMESPACE::dop853::tableau;
 namespace model = equipoise::model;
 
 template <int dimension>

@@ -15,7 +15,6 @@
 #include "equipoise/core/math/curve_follower.hpp"
 #include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/machine/mechanics/higher_derivatives.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/extras/proof/balance_boxes.hpp"

@@ -15,7 +15,7 @@
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/balance/cancelling_angles.hpp"
+#include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/analyses/one_study/balanced_rates.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/core/base/display_text.hpp"
-#include "equipoise/core/base/percent_text.hpp"
 #include "equipoise/report/drawing/html_text.hpp"
 #include "equipoise/report/text/csv.hpp"
 

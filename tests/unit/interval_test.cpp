@@ -15,7 +15,6 @@
 #include "equipoise/core/math/gradient.hpp"
 #include "equipoise/core/math/krawczyk.hpp"
 #include "equipoise/core/math/positive_definite.hpp"
-#include "equipoise/core/math/proven_sine.hpp"
 
 namespace interval_test {
 
@@ -116,7 +115,7 @@ TEST(Interval, SineAndCosineHoldTheValuesOfNumbers) {
 }
 
 // At an extremum and around it, also where the interval ends next to it.
-// What proofs take for granted: the error stated in core/math/proven_sine.hpp, near multiples of pi/2 too, where little
+// What proofs take for granted: the error stated in core/math/interval.hpp, near multiples of pi/2 too, where little
 // is left.
 TEST(ProvenSine, KeepsItsStatedError) {
   Random random;

@@ -15,7 +15,6 @@
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/math/assignment.hpp"
 #include "equipoise/core/math/orders.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 

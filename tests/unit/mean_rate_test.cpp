@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/motions/mean_rate.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/core/base/angles.hpp"
 
 namespace equipoise {

@@ -7,8 +7,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/drives/motor.hpp"
-#include "equipoise/machine/drives/nameplate.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"

@@ -12,7 +12,7 @@
 #include "hwy/highway.h"
 
 #include "equipoise/core/base/pack-inl.hpp"
-#include "equipoise/simulation/batch/step_control-inl.hpp"
+#include "equipoise/simulation/batch/batch_block-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -7,7 +7,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/standards/hand_arm.hpp"
 #include "equipoise/machine/standards/severity.hpp"
-#include "equipoise/machine/standards/walking.hpp"
 
 namespace equipoise::standards {
 namespace standards_test {

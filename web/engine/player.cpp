@@ -13,7 +13,7 @@
 #include "equipoise/results/commands/trajectory.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/trajectory/followed_run.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise::web {
 

@@ -11,7 +11,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/start_runs/session.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/simulation/kernels/long_call.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"

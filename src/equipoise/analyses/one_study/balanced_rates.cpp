@@ -10,11 +10,11 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/machine/balance/cancelling_angles.hpp"
+#include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/stepped_values.hpp"
 

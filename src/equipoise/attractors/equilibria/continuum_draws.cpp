@@ -9,7 +9,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/balance/cancelling_angles.hpp"
+#include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 

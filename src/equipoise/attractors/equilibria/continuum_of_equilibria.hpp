@@ -4,10 +4,13 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/parameters.hpp"
@@ -100,5 +103,19 @@ class ContinuumOfEquilibria {
   Eigen::Index dimension_;
   Eigen::VectorXd scale_;
 };
+
+/// The balanced state nearest to a state, refined as its system needs.
+struct BalancedMember {
+  Eigen::VectorXd state;
+  std::variant<Equilibrium, PeriodicOrbit> refined;  ///< an orbit with a stroboscopic section
+  double rate = -1.0;                                ///< of the slowest deviation across the continuum
+  bool attracts = false;                             ///< in all directions across it
+};
+
+/// Empty if there is none. With a stroboscopic section also if none is within `reach` (in System::scale()) of exact
+/// balance.
+std::optional<BalancedMember> nearest_balanced(const model::System& system, const Eigen::VectorXd& state, double reach);
+
+Motion describe(const model::System& system, const BalancedMember& member);
 
 }  // namespace equipoise

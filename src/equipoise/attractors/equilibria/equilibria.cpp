@@ -1,4 +1,4 @@
-// Newton's method from random ball angles.
+// Newton's method for equilibria, isolated ones and members of continua; from random ball angles for all of them.
 #include "equipoise/attractors/equilibria/equilibria.hpp"
 
 #include <algorithm>
@@ -24,6 +24,7 @@ namespace equipoise {
 
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Refined equilibria are exact to 1e-10; different ones lie further apart, except those just born.
@@ -42,8 +43,8 @@ std::vector<int> rotor_places(const model::System& system) {
 void rest_rotor(const model::System& system, VectorXd& state) {
   const std::vector<int> places = rotor_places(system);
   const VectorXd rate = model::rate(system, state);
-  const Eigen::MatrixXd jacobian = model::jacobian(system, state);
-  const Eigen::MatrixXd own = jacobian(places, places);
+  const MatrixXd jacobian = model::jacobian(system, state);
+  const MatrixXd own = jacobian(places, places);
   const VectorXd rest = rate(places);
   state(places) -= dense::inverse(own) * rest;
 }
@@ -139,6 +140,65 @@ std::vector<Equilibrium> unbalanced_equilibria(const model::System& system, int 
     return a.eigenvalues[0].real() < b.eigenvalues[0].real();
   });
   return found;
+}
+
+namespace {
+
+// Rounding of dz/dt. Its terms are of size speed^2; a motor's terms, which may cancel, are scaled by psi'' per unit of
+// torque.
+double rounding_of_rates(const model::System& system, const VectorXd& state) {
+  const double speed = system.speed(state);
+  double size = 1.0 + speed * speed;
+  if (!system.prescribed()) {
+    const model::DriveSegment& m = system.drive().motor;
+    const double error = system.layout().error < 0 ? 0.0 : state[system.layout().error];
+    model::DrivePiece idle = system.drive(), pushed = idle;
+    idle.motor = {.begin = m.begin, .end = m.end};
+    pushed.motor = {.begin = m.begin, .end = m.end, .constant = 1.0};
+    const auto acceleration = [&](const model::DrivePiece& drive) {
+      const model::System other(system.parameters(), drive);
+      return model::rate(other, VectorXd(state.head(other.dimension())))[other.layout().speed];
+    };
+    size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error) +
+             std::fabs(m.bends(speed)) + m.load(std::fabs(speed))) *
+            std::fabs(acceleration(pushed) - acceleration(idle));
+  }
+  return 1e-14 * size;
+}
+
+}  // namespace
+
+std::optional<Equilibrium> refine_equilibrium(const model::System& system, const VectorXd& guess) {
+  // Levenberg-Marquardt steps with damping |f|^2. They are as fast as Newton's near isolated equilibria and also near
+  // continua, where they tend to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
+  constexpr int most_iterations = 100;
+  const double target = rounding_of_rates(system, guess);
+  VectorXd z = guess, rate = model::rate(system, z);
+  for (int iteration = 0; iteration < most_iterations && rate.lpNorm<Eigen::Infinity>() > 0.01 * target; ++iteration) {
+    if (!rate.allFinite()) return std::nullopt;
+    const MatrixXd jacobian = model::jacobian(system, z);
+    MatrixXd normal = jacobian.transpose() * jacobian;
+    // Without damping rounding would fill directions in which the Jacobian is singular.
+    normal.diagonal().array() += std::max(rate.squaredNorm(), 1e-14 * normal.trace());
+    const VectorXd change = -dense::solve_semidefinite(normal, jacobian.transpose() * rate);
+    double share = 1.0;
+    VectorXd next, next_rate;
+    for (; share > 1e-4; share *= 0.5) {
+      next = z + share * change;
+      next_rate = model::rate(system, next);
+      if (next_rate.norm() < rate.norm()) break;
+    }
+    if (!(share > 1e-4)) break;  // rounding, or no equilibrium nearby
+    z = next;
+    rate = next_rate;
+  }
+  Equilibrium result{z, {}, rate.lpNorm<Eigen::Infinity>()};
+  if (!(result.residual < target)) return std::nullopt;
+  result.eigenvalues = dense::eigenvalues(model::jacobian(system, z));
+  std::sort(result.eigenvalues.begin(), result.eigenvalues.end(), [](const auto& a, const auto& b) {
+    return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
+  });
+  return result;
 }
 
 }  // namespace equipoise

@@ -153,17 +153,10 @@ class EventJourney final : public Journey {
   }
 
   Motion describe(const PeriodicOrbit& orbit) {
-    Motion motion;
-    motion.kind = MotionKind::periodic;
-    motion.state = orbit.nodes.front();
-    motion.orbit = orbit;
-    motion.spectrum = orbit.multipliers;
-    for (const auto& m : motion.spectrum)
-      motion.exponents.push_back(std::log(std::max(1e-300, std::abs(m))) / orbit.period);
-    std::sort(motion.exponents.begin(), motion.exponents.end(), std::greater<>());
-    motion.residual = orbit.residual;
+    Motion motion = motion_on_orbit(system_, orbit, orbit.multipliers);
     motion.period = orbit.period;
     motion.winding = orbit.winding;
+    if (orbit.imposed) motion.sections = static_cast<int>(std::lround(orbit.period / section_period_));
     MotionStatistics statistics;
     EventLog log;
     Eigen::VectorXd z = motion.state;
@@ -172,11 +165,6 @@ class EventJourney final : public Journey {
     else
       follow_events(system_, z, orbit.period, 1e-12, log, &statistics);
     describe_statistics(system_, statistics, motion);
-    const int turns = system_.layout().psi < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
-    if (orbit.imposed || turns > 0) {
-      motion.depends_on_angle = true;
-      motion.sections = orbit.imposed ? static_cast<int>(std::lround(orbit.period / section_period_)) : turns;
-    }
     const auto decays = orbit.decays();
     motion.set_valued = system_.events().stick && std::any_of(decays.begin(), decays.end(), [](const auto& m) {
                           return std::abs(m - 1.0) < neutral;

@@ -15,7 +15,6 @@
 
 #include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
 #include "equipoise/attractors/equilibria/equilibria.hpp"
-#include "equipoise/attractors/equilibria/nearest_balanced.hpp"
 #include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
 #include "equipoise/attractors/motions/motion_statistics.hpp"

@@ -204,19 +204,28 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
   return motion;
 }
 
-Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
-  const bool rests = is_at_rest(system, orbit);
+Motion motion_on_orbit(const model::System& system, const PeriodicOrbit& orbit, const Eigen::VectorXcd& spectrum) {
   Motion motion;
-  motion.kind = rests ? MotionKind::equilibrium : MotionKind::periodic;
+  motion.kind = MotionKind::periodic;
   motion.state = system.with_angles_reduced(orbit.nodes.front());
   describe_steady_drive(system, motion);
   motion.orbit = orbit;
-  motion.spectrum = rests ? orbit.decays() : orbit.multipliers;
-  for (const std::complex<double>& value : motion.spectrum)
+  motion.spectrum = spectrum;
+  for (const std::complex<double>& value : spectrum)
     motion.exponents.push_back(std::log(std::max(1e-300, std::abs(value))) / orbit.period);
   std::sort(motion.exponents.begin(), motion.exponents.end(), std::greater<>());
-  motion.stable = contracts(orbit.decays(), rests ? model::balanced_freedom(system) : 0);
   motion.residual = orbit.residual;
+  const int turns = system.layout().psi < 0 ? 0 : std::abs(orbit.winding[system.balls()]);
+  motion.depends_on_angle = orbit.imposed || turns > 0;
+  motion.sections = orbit.imposed ? static_cast<int>(orbit.nodes.size()) : turns;
+  return motion;
+}
+
+Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
+  const bool rests = is_at_rest(system, orbit);
+  Motion motion = motion_on_orbit(system, orbit, rests ? orbit.decays() : orbit.multipliers);
+  if (rests) motion.kind = MotionKind::equilibrium;
+  motion.stable = contracts(orbit.decays(), rests ? model::balanced_freedom(system) : 0);
   if (rests) {
     describe_rest(system.parameters(), motion);
   } else {
@@ -228,14 +237,10 @@ Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
       follow(system, state, arc, description_tolerance, &statistics);
     describe_statistics(system, statistics, motion);
   }
-  const int turns = system.layout().psi < 0 ? 0 : std::abs(orbit.winding[system.balls()]);
-  if (orbit.imposed || turns > 0) {
-    motion.depends_on_angle = true;
-    motion.sections = orbit.imposed ? static_cast<int>(orbit.nodes.size()) : turns;
+  if (motion.depends_on_angle)
     motion.balanced = rests || leads_to_balance(system, orbit);
-  } else {
+  else
     motion.half_period_exchange = is_half_period_exchange(system, orbit);
-  }
   motion.copies = count_copies(system, motion);
   return motion;
 }

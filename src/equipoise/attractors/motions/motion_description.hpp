@@ -18,6 +18,8 @@ bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statis
 
 /// A motion at rest, but for what of it is stable or a copy.
 Motion motion_at_rest(const model::System& system, const Equilibrium& equilibrium);
+/// A periodic motion, but for what follows from statistics.
+Motion motion_on_orbit(const model::System& system, const PeriodicOrbit& orbit, const Eigen::VectorXcd& spectrum);
 
 /// r of a system at rest at `state`, from its sag under gravity.
 double r_at_rest(const model::System& system, const Eigen::VectorXd& state);

@@ -7,12 +7,14 @@
 #define EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL
 #endif
 
+#include <cmath>
+#include <cstring>
 #include <optional>
 
 #include <Eigen/Core>
 
+#include "equipoise/core/base/pack-inl.hpp"
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
-#include "equipoise/core/math/wide_dual-inl.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/machine/model/smooth_flow-inl.hpp"
@@ -22,6 +24,68 @@
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
+
+// A number type of the equations: dual numbers (core/math/gradient.hpp over double) with their slopes side by side in
+// registers. Without fused products and sums, results are bit-identical.
+template <int slopes>
+class WideDual {
+ public:
+  double value = 0.0;
+
+  WideDual() = default;
+  HWY_INLINE WideDual(double v) : value(v) {}
+
+  // Takes the first `count` slopes; the others are 0.
+  HWY_INLINE void take_slopes(const double* from, int count) {
+    alignas(Pack) double all[room] = {};
+    std::memcpy(all, from, sizeof(double) * static_cast<std::size_t>(count));
+    for (int k = 0; k < packs; ++k) slope_[k] = Pack::load(all + k * lanes);
+  }
+  HWY_INLINE void put_slopes(double* to, int count) const {
+    alignas(Pack) double all[room];
+    for (int k = 0; k < packs; ++k) slope_[k].store(all + k * lanes);
+    std::memcpy(to, all, sizeof(double) * static_cast<std::size_t>(count));
+  }
+
+  friend HWY_INLINE WideDual operator+(const WideDual& a, const WideDual& b) {
+    return combine(a.value + b.value, [&](int k) HWY_ATTR { return a.slope_[k] + b.slope_[k]; });
+  }
+  friend HWY_INLINE WideDual operator-(const WideDual& a, const WideDual& b) {
+    return combine(a.value - b.value, [&](int k) HWY_ATTR { return a.slope_[k] - b.slope_[k]; });
+  }
+  friend HWY_INLINE WideDual operator-(const WideDual& a) {
+    return combine(-a.value, [&](int k) HWY_ATTR { return -a.slope_[k]; });
+  }
+  friend HWY_INLINE WideDual operator*(const WideDual& a, const WideDual& b) {
+    const Pack of_a(a.value), of_b(b.value);
+    return combine(a.value * b.value, [&](int k) HWY_ATTR { return a.slope_[k] * of_b + of_a * b.slope_[k]; });
+  }
+  friend HWY_INLINE WideDual operator/(const WideDual& a, const WideDual& b) {
+    const double quotient = a.value / b.value;
+    const Pack inverse(1.0 / b.value), whole(quotient);
+    return combine(quotient, [&](int k) HWY_ATTR { return (a.slope_[k] - whole * b.slope_[k]) * inverse; });
+  }
+  friend HWY_INLINE WideDual multiply_add(const WideDual& a, const WideDual& b, const WideDual& c) { return a * b + c; }
+  friend HWY_INLINE void sin_cos(const WideDual& a, WideDual& sine, WideDual& cosine) {
+    const double s = std::sin(a.value), c = std::cos(a.value);
+    const WideDual from = a;  // `a` may be one of the results
+    const Pack along(c), back(-s);
+    sine = combine(s, [&](int k) HWY_ATTR { return along * from.slope_[k]; });
+    cosine = combine(c, [&](int k) HWY_ATTR { return back * from.slope_[k]; });
+  }
+
+ private:
+  static constexpr int lanes = static_cast<int>(pack_lanes), packs = (slopes + lanes - 1) / lanes, room = packs * lanes;
+
+  template <class Slope>
+  static HWY_INLINE WideDual combine(double value, Slope&& slope_at) {
+    WideDual result(value);
+    for (int k = 0; k < packs; ++k) result.slope_[k] = slope_at(k);
+    return result;
+  }
+
+  Pack slope_[packs] = {};
+};
 
 // Plain systems, with only the terms that they need; for this number of balls, or any number.
 template <int room, Terms terms>

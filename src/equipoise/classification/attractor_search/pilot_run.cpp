@@ -143,8 +143,7 @@ bool PilotRun::follow(std::size_t count, const ClassificationRule& rule, double 
 
 bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double horizon, int threads,
                       const StopFlag* stop, StageProgress& stages) {
-  const int size = system_.dimension();
-  const std::size_t chunk = chunk_for(threads);
+  const std::size_t size = system_.dimension(), chunk = chunk_for(threads);
   states_ = begin_;
   std::atomic<bool> complete{true};
   in_parallel(threads, (count + chunk - 1) / chunk, [&](std::size_t k) {
@@ -157,9 +156,7 @@ bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double 
       rotor.end = rotor.segment.begin + horizon;
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
-    if (!own.empty()) task.own = own.data();
-    task.count = length;
-    task.states = &states_[first * size];
+    task.take({&states_[first * size], length * size}, own, {});
     task.stop = stop;
     std::vector<Outcome> outcomes(length);
     std::vector<PilotRecord> records(length);

@@ -1,14 +1,17 @@
-// What several parts of a search need: the rule that it begins with, its key, how motions look and where states go.
+// What several parts of a search need: the rule that it begins with, its key, how motions look and where states go. For
+// coasting rotors, energy and short flights replace a search.
 #include "equipoise/classification/attractor_search/search.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "equipoise/attractors/motions/motion_bytes.hpp"
+#include "equipoise/classification/trapping_regions/coasting_region.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
@@ -215,6 +218,29 @@ std::string search_key(const std::string& subject, const AttractorSearchSettings
 
 std::string search_key(const FamilyBox& part, const AttractorSearchSettings& settings) {
   return search_key(fmt::format("{}\n{} to {}", settings.family, part.low, part.high), settings);
+}
+
+AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
+  const model::System system = study.system();
+  AttractorSearch result;
+  result.balanced = analyse_balanced(system, stop);
+  std::string& note = result.balanced.note;
+  if (note.empty()) note = "no torque acts in the end, and the speed that the rotor then keeps is not known beforehand";
+  ClassificationRule& rule = result.rule = first_rule(study, result.balanced, system);
+  const double horizon = *study.numerics.horizon;
+  // Windows must be long enough to show slow losses of speed.
+  rule.first_long_window = std::max(rule.first_long_window, horizon / 16.0);
+  rule.at_horizon = study.numerics.decide == ClassificationMode::horizon;
+  const auto region = std::make_shared<const CoastingRegion>(system, study.stall_speed(), horizon);
+  result.coasting = region;
+  Motion balanced = measured_motion();  // as is the stalled rotor: each start ends in a motion of its own
+  balanced.set_valued = system.events().stick;
+  result.catalogue.add({balanced_id, balanced.set_valued ? "balanced, stuck" : "balanced", "", balanced, {}});
+  const int stalled = result.catalogue.add({"stalled", "", 0}, measured_motion());
+  rule.section.regions = regions_by([region, stalled, stop](const double* state, double, const OwnRotor*) {
+    return region->stalls(state) ? Caught{stalled} : region->balances(state, stop);
+  });
+  return result;
 }
 
 }  // namespace equipoise

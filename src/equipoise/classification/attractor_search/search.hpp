@@ -1,5 +1,5 @@
-// One attractor search: what its parts share, and the parts, a file each (search_regions.cpp, balanced_levels.cpp,
-// search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
+// One attractor search: what its parts share, and the parts, a file each (search_regions.cpp, search_boxes.cpp,
+// rotor_trends.cpp).
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,6 @@
 #include "equipoise/classification/trapping_regions/continuum_region.hpp"
 #include "equipoise/classification/trapping_regions/orbit_region.hpp"
 #include "equipoise/classification/trapping_regions/region_rule.hpp"
-#include "equipoise/classification/trapping_regions/stalled_region.hpp"
 #include "equipoise/classification/trapping_regions/trials.hpp"
 #include "equipoise/classification/trapping_regions/path_region.hpp"
 #include "equipoise/core/running/search_log.hpp"
@@ -127,11 +126,6 @@ ClassificationRule first_rule(const Study& study, const BalancedAnalysis& balanc
 /// or, without growth, five of the slowest decay. Empty for all other systems, and if there is no balance.
 std::optional<FeatureBox> balance_box(const model::System& system, const BalancedAnalysis& balanced, double window,
                                       double horizon);
-
-/// Levels of balanced trapping regions beyond those in which samples of V decrease: proved.
-void prove_levels(Search& search);
-/// Or widened as far as trials and the pilot allow. Returns the factor of the first region.
-double widen_levels(Search& search);
 
 /// Makes boxes around the windows of each attractor's scouts. `found`: candidates of the pilot and of a neighbour.
 void make_boxes(Search& search, const std::vector<Candidate>& found);

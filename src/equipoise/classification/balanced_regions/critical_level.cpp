@@ -8,25 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
-#include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/machine/model/smooth_flow-inl.hpp"
 
 namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-template <int room>
-using PlainFlow = kernels::FreeFlow<double, room, kernels::Terms{false, false, false}>;
-using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
-using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
-
-template <int room>
-PlainFlow<room> plain_flow(const model::System& system) {
-  return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
-}
 
 // dV/dt along rays z* + s e from one balanced state, with V(e) = 1.
 template <class Flow>
@@ -218,12 +208,13 @@ const Eigen::VectorXd& Directions::unscaled(std::size_t number) {
 double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                       Directions& vectors, bool descending) {
   constexpr int unrolled = 2;  // balls: with more, balanced states form continua
-  if (system.plain())
-    return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
-      return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);
-    });
-  if (system.tilts()) return least_level(system, TiltFlow(system, 0.0), centre, form, rays, vectors, descending);
-  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
+  const auto least = [&]<class Source>(Source) {
+    return least_level(system, Source::template make<double>(system, 0.0), centre, form, rays, vectors, descending);
+  };
+  if (system.tilts()) return least(kernels::TiltSource{});
+  if (!system.plain()) return least(kernels::GeneralSource{});
+  return model::with_ball_count<unrolled>(system.balls(),
+                                          [&](auto room) { return least(kernels::Autonomous<room>{}); });
 }
 
 }  // namespace equipoise

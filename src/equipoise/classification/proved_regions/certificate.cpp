@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/classification/proved_regions/level_proof.hpp"
-#include "equipoise/classification/proved_regions/tilt_proof.hpp"
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/capability.hpp"

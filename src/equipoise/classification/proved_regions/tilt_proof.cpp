@@ -1,5 +1,4 @@
 // The balanced state of each plane's two balls, enclosed, and the slope of the equations around it.
-#include "equipoise/classification/proved_regions/tilt_proof.hpp"
 
 #include <array>
 #include <cmath>

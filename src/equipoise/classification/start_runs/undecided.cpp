@@ -12,9 +12,9 @@
 #include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/base/plain_number.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 

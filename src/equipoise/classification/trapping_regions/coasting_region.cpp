@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "equipoise/attractors/equilibria/nearest_balanced.hpp"
+#include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
 #include "equipoise/attractors/equilibria/stuck.hpp"
 #include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"

@@ -41,20 +41,19 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
     BatchTask task = batch_task(*settings.system, flight.psi);
     task.end = flight.end;
     task.tolerance = settings.tolerance;
-    task.count = std::min(chunk, total - first);
-    task.states = &trials.states[first * size];
     task.stop = settings.stop;
+    const std::size_t count = std::min(chunk, total - first);
     std::vector<OwnRotor> rotors;
-    for (std::size_t i = 0; i < task.count && !settings.rotors.empty(); ++i) {
+    for (std::size_t i = 0; i < count && !settings.rotors.empty(); ++i) {
       OwnRotor& rotor = rotors.emplace_back(*settings.rotor(trials.first + first + i));
       rotor.segment.psi = flight.psi;
       rotor.end = flight.end;
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
-    if (!own.empty()) task.own = own.data();
-    std::vector<Outcome> outcomes(task.count);
+    task.take({&trials.states[first * size], count * size}, own, {});
+    std::vector<Outcome> outcomes(count);
     if (!classify_batch(task, trials.rule, outcomes, nullptr) || !told(first, outcomes)) good = false;
-    if (settings.progress) settings.progress->add(task.count);
+    if (settings.progress) settings.progress->add(count);
   });
   return good;
 }

@@ -1,11 +1,14 @@
-// Makes names from outside, such as file names, fit for any output.
+// Text fit for any output: names from outside, such as file names; numbers for sentences; the ending of a counted noun.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace equipoise {
 
@@ -44,5 +47,25 @@ inline std::vector<std::string> parts_of(std::string_view text, char separator) 
 
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does.
 std::size_t character_length(std::string_view text, std::size_t at);
+
+/// `digits` significant digits, but never fewer than stand before the point.
+inline std::string plain_number(double value, int digits) {
+  return std::fabs(value) < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits)
+                                                   : fmt::format("{:.0f}", value);
+}
+
+/// "0.15 %", "3.2 %", "47 %"; "more than 99 %" or "less than 0.01 %" where rounding would give all or none.
+inline std::string percent_text(double share) {
+  const double percent = 100.0 * share;
+  if (percent > 99.0 && share < 1.0) return "more than 99 %";
+  if (percent < 0.01 && share > 0.0) return "less than 0.01 %";
+  return fmt::format("{:.{}f} %", percent, percent >= 10.0 || share <= 0.0 ? 0 : percent >= 1.0 ? 1 : 2);
+}
+
+/// "" after one, "s" after any other number: "1 cell", "0 cells".
+template <class Number>
+constexpr const char* plural(Number count) {
+  return count == 1 ? "" : "s";
+}
 
 }  // namespace equipoise

@@ -9,8 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plain_number.hpp"
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"

@@ -7,7 +7,7 @@
 
 #include "equipoise/core/math/bordered.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/machine/mechanics/higher_derivatives.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/results/commands/explanation.hpp"
 
 namespace equipoise {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "equipoise/core/math/bordered.hpp"
-#include "equipoise/machine/mechanics/higher_derivatives.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/results/commands/explanation.hpp"
 

@@ -12,7 +12,7 @@
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/proved_regions/tilt_proof.hpp"
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/system.hpp"

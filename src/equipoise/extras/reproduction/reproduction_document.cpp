@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"

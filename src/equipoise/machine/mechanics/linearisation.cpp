@@ -1,10 +1,12 @@
-// Jacobians from the equations of motion, run on dual numbers.
+// Jacobians from the equations of motion, run on dual numbers; higher derivatives on dual numbers one inside the other,
+// where each level differentiates along one direction.
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 #include <type_traits>
 
 #include "equipoise/core/math/gradient.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/equations-inl.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
@@ -83,6 +85,67 @@ Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double 
       return slopes_of<most, Dual>(kernels::SmoothFlow<Dual, any_count, tilt>(system, psi), y.data(), size);
     });
   });
+}
+
+namespace {
+using Once = Gradient<double, 1>;
+using Twice = Gradient<Once, 1>;
+using Thrice = Gradient<Twice, 1>;
+
+// The largest state of a tilting rotor at a prescribed speed.
+constexpr int most_tilting = dimension(max_balls) + 4;
+
+// dy/dt at `state`, both of most_tilting components.
+template <class T>
+void nested_rate(const System& system, const T* state, T* rate) {
+  if (!system.tilts())
+    return kernels::FreeFlow<T, any_count, autonomous>(system.parameters(), constant_speed(system.speed()))(
+        T(0.0), state, rate);
+  const kernels::BallBalancer<T, any_count, kernels::body_terms(true)> balancer(system.parameters(),
+                                                                                system.layout().tilt);
+  const kernels::RotorMotion<T> rotor{T(system.speed()), T(0.0), T(0.0), T(1.0)};
+  balancer.body_derivative(rotor, nullptr, state, rate);
+}
+
+double& innermost(double& x) { return x; }
+template <class T>
+double& innermost(Gradient<T, 1>& x) {
+  return innermost(x.value);
+}
+double all_slopes(double x) { return x; }
+template <class T>
+double all_slopes(const Gradient<T, 1>& x) {
+  return all_slopes(x.slope[0]);
+}
+
+// The number y with a slope at each level, the outermost first.
+void nest(double& x, double y) { x = y; }
+template <class T, class... Inner>
+void nest(Gradient<T, 1>& x, double y, double outer, Inner... inner) {
+  nest(x.value, y, inner...);
+  innermost(x.slope[0]) = outer;
+}
+
+template <class T, class... Directions>
+Eigen::VectorXd derivative_along(const System& system, const Eigen::VectorXd& y, const Directions&... along) {
+  T state[most_tilting], rate[most_tilting];
+  const int size = system.dimension();
+  for (int i = 0; i < size; ++i) nest(state[i], y[i], along[i]...);
+  nested_rate(system, state, rate);
+  Eigen::VectorXd result(size);
+  for (int i = 0; i < size; ++i) result[i] = all_slopes(rate[i]);
+  return result;
+}
+}  // namespace
+
+Eigen::VectorXd second_derivative(const System& system, const Eigen::VectorXd& y, const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& v) {
+  return derivative_along<Twice>(system, y, v, u);
+}
+
+Eigen::VectorXd third_derivative(const System& system, const Eigen::VectorXd& y, const Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& v, const Eigen::VectorXd& w) {
+  return derivative_along<Thrice>(system, y, w, v, u);
 }
 
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi) {

@@ -24,4 +24,12 @@ Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double 
 /// The state with the rotor centred and the balls at rest at `phi`.
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi);
 
+/// d2/da db of dy/dt at y + a u + b v, at a = b = 0, for an autonomous system, plain or at a prescribed speed with a
+/// tilt. Exact: the equations run on dual numbers of dual numbers.
+Eigen::VectorXd second_derivative(const System& system, const Eigen::VectorXd& y, const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& v);
+/// d3/da db dc at y + a u + b v + c w.
+Eigen::VectorXd third_derivative(const System& system, const Eigen::VectorXd& y, const Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& v, const Eigen::VectorXd& w);
+
 }  // namespace equipoise::model

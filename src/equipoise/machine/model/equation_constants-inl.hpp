@@ -103,21 +103,17 @@ class TiltConstants {
         transverse_(p.tilt.transverse_inertia),
         polar_(p.tilt.polar_inertia),
         couple_(T(p.tilt.misalignment) * (transverse_ - polar_)) {
-    for (int k = 0; k < 2; ++k) {
-      const auto mean = [&](const auto& m) { return T(0.5 * (m[0][k] + m[1][k])); };
-      const auto half = [&](const auto& m) { return T(0.5 * (m[0][k] - m[1][k])); };
-      kappa_mean_[k] = mean(p.tilt.stiffness);
-      kappa_half_[k] = half(p.tilt.stiffness);
-      zeta_mean_[k] = mean(p.tilt.damping);
-      zeta_half_[k] = half(p.tilt.damping);
-    }
+    const auto& [stiff_x, stiff_y] = p.tilt.stiffness;
+    const auto& [damping_x, damping_y] = p.tilt.damping;
+    for (int k = 0; k < 2; ++k)
+      exerted_[k] = BearingForce<T>({0.0, {stiff_x[k], stiff_y[k]}, {damping_x[k], damping_y[k]}});
     for (int i = 0; i < places; ++i) plane_[i] = T(p.tilt.plane[i]);
   }
 
   void take_lane(const TiltConstants& from, int lane) {
     using C = TiltConstants;
-    take_lane_of(*this, from, lane, &C::transverse_, &C::polar_, &C::couple_, &C::kappa_mean_, &C::kappa_half_,
-                 &C::zeta_mean_, &C::zeta_half_, &C::plane_);
+    take_lane_of(*this, from, lane, &C::transverse_, &C::polar_, &C::couple_, &C::plane_);
+    for (int k = 0; k < 2; ++k) exerted_[k].take_lane(from.exerted_[k], lane);
   }
 
   HWY_INLINE const T& plane(int i) const { return plane_[i]; }
@@ -125,17 +121,9 @@ class TiltConstants {
   // What springs and dampers exert on the supports: `force` has what the centre's motion alone gives, and gets the
   // tilt's share; returns the moment.
   HWY_INLINE Vector2<T> add_supports(const RotorMotion<T>& rotor, const T* z, Vector2<T>& force) const {
-    const T *s = z + place_, *c = z;
-    const auto exert = [&](int k, const T* at) {
-      const T x = at[0], y = at[1], u = at[2], v = at[3];
-      const T s2 = T(2.0) * rotor.sin_psi * rotor.cos_psi;
-      const T c2 = rotor.cos_psi * rotor.cos_psi - rotor.sin_psi * rotor.sin_psi;
-      return Vector2<T>{zeta_mean_[k] * u + kappa_mean_[k] * x + zeta_half_[k] * (c2 * u - s2 * v) +
-                            kappa_half_[k] * (c2 * x - s2 * y),
-                        zeta_mean_[k] * v + kappa_mean_[k] * y - zeta_half_[k] * (s2 * u + c2 * v) -
-                            kappa_half_[k] * (s2 * x + c2 * y)};
-    };
-    const Vector2<T> by_tilt = exert(0, s), across = exert(0, c), own = exert(1, s);
+    const T* s = z + place_;
+    const Vector2<T> by_tilt = exerted_[0].of(rotor, s), across = exerted_[0].of(rotor, z),
+                     own = exerted_[1].of(rotor, s);
     force = {force.x + by_tilt.x, force.y + by_tilt.y};
     return {across.x + own.x, across.y + own.y};
   }
@@ -197,7 +185,7 @@ class TiltConstants {
 
   int place_;
   T transverse_, polar_, couple_;
-  T kappa_mean_[2], kappa_half_[2], zeta_mean_[2], zeta_half_[2];  // of {k12, k22} and {c12, c22}
+  BearingForce<T> exerted_[2];  // by k12 and c12, by k22 and c22
   T plane_[places]{};
 };
 

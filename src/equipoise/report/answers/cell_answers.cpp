@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/text/quantities.hpp"
 #include "equipoise/report/text/text.hpp"

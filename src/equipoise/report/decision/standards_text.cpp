@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/machine/balance/balance_grade.hpp"
 #include "equipoise/machine/standards/hand_arm.hpp"
 #include "equipoise/machine/standards/severity.hpp"

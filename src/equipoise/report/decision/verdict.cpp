@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/decision/standards_text.hpp"
-#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/results/commands/branch.hpp"
 #include "equipoise/results/types/outcome.hpp"
 

@@ -13,7 +13,7 @@
 #include "equipoise/machine/balance/cancelling.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/machine/datasheet/ball_drag.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/mechanics/whirl.hpp"
 #include "equipoise/machine/model/bearings.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"

@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/explain/parts.hpp"
 #include "equipoise/report/text/quantities.hpp"

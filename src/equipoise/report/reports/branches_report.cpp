@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/text/motion_words.hpp"

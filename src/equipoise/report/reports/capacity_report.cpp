@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/plain_number.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/text/quantities.hpp"

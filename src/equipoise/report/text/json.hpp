@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/core/statistics/comparison.hpp"
 #include "equipoise/core/statistics/share.hpp"

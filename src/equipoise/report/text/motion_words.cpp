@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
 
 namespace equipoise {

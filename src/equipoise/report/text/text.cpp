@@ -12,9 +12,9 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/coincident_balls.hpp"
-#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/report/text/json.hpp"
 
 namespace equipoise {

@@ -5,7 +5,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/standards/severity.hpp"
-#include "equipoise/machine/standards/walking.hpp"
 
 namespace equipoise {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "equipoise/results/io/checksum.hpp"
 #include "equipoise/results/io/replacement.hpp"
 

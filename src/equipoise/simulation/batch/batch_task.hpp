@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
@@ -91,7 +92,7 @@ struct BatchTask {
   int dimension() const { return layout().size; }
 
   /// Follows these rows in place. `rotors`: their own, or none; `from`: when each begins, or none.
-  void take(std::vector<double>& rows, const std::vector<const OwnRotor*>& rotors, const std::vector<double>& from) {
+  void take(std::span<double> rows, const std::vector<const OwnRotor*>& rotors, const std::vector<double>& from) {
     count = rows.size() / static_cast<std::size_t>(dimension());
     states = rows.data();
     own = rotors.empty() ? nullptr : rotors.data();

@@ -1,5 +1,4 @@
-// The choice of a task's kernel, the equations alone for benchmarks, and CPU targets. Highway's foreach_target compiles
-// this file once per CPU target.
+// The choice of a task's kernel, and CPU targets. Highway's foreach_target compiles this file once per CPU target.
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 #include <cstdint>
@@ -9,7 +8,6 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/simulation/kernels/batch_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,39 +15,9 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
-#include "equipoise/simulation/kernels/kernel-inl.hpp"
-
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
-
-template <int room>
-int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
-  using Flow = FreeFlow<Pack, room, paper_terms(false)>;
-  const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
-  constexpr int groups = batch_groups<room>;
-  Pack z[groups][Flow::dimension];
-  for (int g = 0; g < groups; ++g)
-    for (int i = 0; i < flow.size(); ++i) z[g][i] = Pack(0.01 * (i + g));
-  for (long k = 0; k < count; ++k)
-#pragma GCC unroll 1
-    for (int g = 0; g < groups; ++g) {
-      Pack rate[Flow::dimension];
-      flow(Pack(0.0), z[g], rate);
-      for (int i = 0; i < flow.size(); ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
-    }
-  Pack sum(0.0);
-  for (int g = 0; g < groups; ++g)
-    for (int i = 0; i < flow.size(); ++i) sum = sum + z[g][i];
-  alignas(64) double lanes[8];
-  sum.store(lanes);
-  *checksum = lanes[0];
-  return groups * static_cast<int>(pack_lanes);
-}
-
-int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
-  return model::with_ball_count(p.balls, [&](auto room) { return evaluate_balls<room>(p, speed, count, checksum); });
-}
 
 std::int64_t target_code() { return HWY_TARGET; }
 
@@ -60,7 +28,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace equipoise {
 
-HWY_EXPORT(evaluate_target);
 HWY_EXPORT(target_code);
 
 namespace {
@@ -106,10 +73,6 @@ bool advance_batch(const BatchTask& task, std::vector<Outcome>& outcomes) { retu
 bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Outcome>& outcomes,
                     std::vector<PilotRecord>* pilot) {
   return run_batch({task, outcomes, &rule, pilot});
-}
-
-int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {
-  return HWY_DYNAMIC_DISPATCH(evaluate_target)(p, speed, count, checksum);
 }
 
 std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }

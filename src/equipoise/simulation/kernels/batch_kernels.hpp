@@ -26,8 +26,4 @@ bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::
 /// reaching it, or to task.end; ends[i] and states are set. False if stopped early.
 bool follow_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends);
 
-/// Derivative evaluations alone, for benchmarks: evaluates the equations `count` times in every lane, each from the
-/// result of the one before. Returns the number of lanes.
-int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
-
 }  // namespace equipoise

@@ -72,7 +72,7 @@ class WatchRadius final : public BatchWatch {
  private:
   static double value_at(const transient::Cubic<double>& c, double s) {
     if (s >= 1.0) return c.to;
-    const double value = c.c0 + s * (c.c1 + s * (c.c2 + s * c.c3));
+    const double value = c.at(s);
     return value > 0.0 ? value : 0.0;
   }
 

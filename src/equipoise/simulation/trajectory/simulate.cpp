@@ -26,7 +26,6 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/trajectory/followed_run.hpp"
 #include "equipoise/simulation/trajectory/record.hpp"
 
 namespace equipoise {

@@ -1,12 +1,14 @@
-// One trajectory at stated times, or at an even grid of them.
+// One trajectory at stated times, at an even grid of them, or advanced on demand.
 // This room: one trajectory at stated times; equations for other integrators.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/commands/trajectory.hpp"
+#include "equipoise/results/types/status.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -28,5 +30,30 @@ inline constexpr double most_output_rows = 1e8;
 /// than most_output_rows of them.
 std::vector<double> output_times(const Study& study, std::optional<double> until = {},
                                  std::optional<double> every = {});
+
+/// One trajectory, advanced on demand, for players that draw it as it goes: the motion that simulate() samples. Each
+/// advance() ends an integration step, so the number of calls changes the motion within the tolerance.
+class FollowedRun {
+ public:
+  /// From [initial] or from `start`. Throws InputError for invalid studies and for balls that overlap.
+  explicit FollowedRun(const Study& study);
+  FollowedRun(const Study& study, const InitialState& start);
+  ~FollowedRun();
+  FollowedRun(const FollowedRun&) = delete;
+  FollowedRun& operator=(const FollowedRun&) = delete;
+
+  double time() const;
+  /// Does nothing if `until` is past.
+  IntegrationStatus advance(double until);
+  /// Appends the present state.
+  void record(Trajectory& out) const;
+  /// Whether the balls are clamped.
+  bool clamped() const;
+  const Study& study() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace equipoise

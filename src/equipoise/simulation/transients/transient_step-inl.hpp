@@ -117,6 +117,7 @@ struct Cubic {
     return {f[0], d01 - T(node1) * d012 + T(node1 * node2) * d0123, d012 - T(node1 + node2) * d0123, d0123, f[3]};
   }
 
+  HWY_INLINE T at(const T& s) const { return c0 + s * (c1 + s * (c2 + s * c3)); }
   HWY_INLINE T integral() const { return c0 + T(0.5) * c1 + T(1.0 / 3) * c2 + T(0.25) * c3; }
 
   // Bernstein coefficients: the cubic lies between the least and the largest of them.
@@ -136,7 +137,7 @@ struct Cubic {
     // The root of the slope where the curvature is negative.
     const T s = c1 / (square_root(maximum(discriminant, T(0.0))) - c2);
     const auto inside = both(T(0.0) < discriminant, both(T(0.0) < s, s < T(1.0)));
-    const T value = c0 + s * (c1 + s * (c2 + s * c3));
+    const T value = at(s);
     const auto within = both(inside, ends < value);
     where = choose(within, s, choose(c0 < to, T(1.0), T(0.0)));
     return choose(within, value, ends);
@@ -178,10 +179,7 @@ class SquaredRadiusOfStep {
 
   // At the step's beginning, and at the middle and the end of piece k.
   HWY_INLINE T begin() const { return piece_[0].c0; }
-  HWY_INLINE T middle(int k) const {
-    const Cubic<T>& p = piece_[k];
-    return p.c0 + T(0.5) * (p.c1 + T(0.5) * (p.c2 + T(0.5) * p.c3));
-  }
+  HWY_INLINE T middle(int k) const { return piece_[k].at(T(0.5)); }
   HWY_INLINE T to(int k) const { return piece_[k].to; }
 
  private:

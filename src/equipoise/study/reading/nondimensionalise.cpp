@@ -13,7 +13,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/typed_numbers.hpp"
-#include "equipoise/machine/drives/nameplate.hpp"
+#include "equipoise/machine/drives/motor.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 
