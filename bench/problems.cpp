@@ -27,11 +27,11 @@ StudyProblem::StudyProblem(const Study& study, double end)
 }
 
 std::vector<double> StudyProblem::states(std::uint64_t first, std::size_t count) const {
-  const auto balls = static_cast<std::size_t>(study_.parameters.balls);
-  std::vector<double> phi(count * balls), states;
+  std::vector<InitialState> starts(count, study_.initial);
   for (std::size_t i = 0; i < count; ++i)
-    start_angles(study_.sampling.seed, first + i, study_.parameters.balls, &phi[i * balls]);
-  source_->release(phi, states);
+    start_angles(study_.sampling.seed, first + i, study_.parameters.balls, starts[i].phi.data());
+  std::vector<double> states;
+  source_->release(starts, states);
   return states;
 }
 
