@@ -102,7 +102,7 @@ def netcdf_page(folder):
 
 PYTHON = {
     "Studies": "study", "What is said of a study": "explanations", "Shares of starts": "ensembles", "Pages, and single starts": "pages",
-    "Two ensembles side by side": "comparisons", "Designs": "designs", "Attractors": "attractor", "Motions and branches": "motions",
+    "Two ensembles side by side": "comparisons", "Designs": "designs", "Attractors": "attractor", "Motions and branches": "motions", "One motion followed": "branches",
     "Which attractor is which": "matching", "Maps": "maps", "The uncertainty exponent": "uncertainty",
     "Stability in a plane": "stability_planes", "Curves in a plane": "charts", "Sweeps": "sweeps",
     "Capacities": "capacities", "Files of results": "files", "Trajectories": "trajectory", "States": "state", "The model itself": "model", "The paper": "paper",

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from .attractor import Attractor
+from .branches import Branch, FollowedBranch
 from .capacities import CapacityResult, capacity
 from .charts import ChartResult, Curve, SpecialPoint, chart
 from .comparisons import Comparison, Difference, compare
@@ -29,7 +30,7 @@ from .files import CertificateCheck, Inspection, check_certificates, inspect, me
 from .maps import MapResult, map as map
 from .matching import Matching, match, match_along
 from .model import Mapper, Model
-from .motions import AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
+from .motions import AttractorsResult, BranchesResult, CertifyResult, attractors, certify, follow
 from .pages import Replay, Report, replay, report
 from .paper import Reproduction, reproduce, reproducible
 from .stability_planes import StabilityResult, stability
@@ -46,7 +47,7 @@ __version__: str = _core.version
 
 __all__ = [
     "Attractor", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
-    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
+    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "FollowedBranch", "Inspection",
     "Interrupted", "MapResult", "Mapper", "Matching", "Model", "Replay", "Report", "Reproduction", "RunError", "ShareBy", "SpecialPoint", "StabilityResult",
     "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectories", "Trajectory", "UncertaintyExponent", "UndecidedWarning", "attractors", "basin",
     "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",

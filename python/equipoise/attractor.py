@@ -11,7 +11,8 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import Array, real, whole
-from ._call import unless_interrupted
+from ._call import ProgressArgument, WithinArgument, unless_interrupted
+from .branches import FollowedBranch, follow_one
 from .state import State, state_on
 from .study import Study
 
@@ -150,6 +151,47 @@ class Attractor:
         t = np.linspace(0.0, length, steps + 1)[: len(columns["X"])]
         path = Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
         return unless_interrupted(path, columns["interrupted"])
+
+    def follow(
+        self, key: str, low: float, high: float, *, progress: ProgressArgument = False, within: WithinArgument = None,
+    ) -> FollowedBranch:
+        """This motion along a parameter by pseudo-arclength continuation: folds are passed, nothing is searched.
+
+        Parameters
+        ----------
+        key : str
+            "speed.final", "balancer.drag", "rotor.eccentricity" and so on.
+        low, high : float
+            Dimensionless; the study's own value lies between them, or is one of them.
+        progress, within
+            As for :func:`basin`.
+
+        Returns
+        -------
+        FollowedBranch
+            Values, stability, events; arrays of periods, drifts, states and spectra.
+
+        Raises
+        ------
+        StudyError
+            For tori and chaos, members of a continuum, rotors whose balls touch or stick, and those on which the
+            rotor's angle matters (gravity, unequal supports): :func:`follow` takes these.
+        ValueError
+            If no state on the motion is known: :func:`attractors` has one of each.
+
+        Notes
+        -----
+        Multiple shooting with exact derivatives; H. B. Keller, Numerical solution of bifurcation and nonlinear
+        eigenvalue problems (1977).
+
+        Examples
+        --------
+        >>> v1 = eq.attractors(study, starts=400)["V1"]
+        >>> v1.follow("speed.final", 2.4, 2.6).ends
+        ('the range ends', 'the range ends')
+        """
+        state = list(self.data["state"]) if self.state is not None else None
+        return follow_one(self.study, self.name, state, key, low, high, progress, within)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Attractor):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, Optional, TypeVar
 
@@ -16,6 +15,7 @@ from ._arguments import Array, MOST_STARTS, checked_study, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .attractor import Attractor
+from .branches import Branch
 from .ensembles import with_starts
 from .errors import RunError
 from .results import Result, SavedAsData, member, optional, write_text
@@ -141,83 +141,6 @@ def attractors(
     with settings(threads, progress, cpu, within) as how:
         core = _core.attractors(asked._core, searched, seeds, how)
     return unless_interrupted(AttractorsResult(core, asked), core.interrupted)
-
-
-@dataclass(frozen=True)
-class Event:
-    """Something that happens to a branch between two values of the parameter.
-
-    change: "birth", "death", "first seen", "last seen", "stability gained", "stability lost" or "kind"; cause: "fold",
-    "pitchfork", "Hopf" and so on, or "not followed further" for a branch that is first or last seen there. r_min,
-    r_mean, r_max: displacement of the branch there, in R.
-    """
-
-    change: str
-    cause: str
-    low: float
-    high: float
-    r_min: float
-    r_mean: float
-    r_max: float
-
-    @property
-    def place(self) -> float:
-        """Where it is drawn: in the middle; of what was not followed further, where it was seen."""
-        return {"first seen": self.high, "last seen": self.low}.get(self.change, 0.5 * (self.low + self.high))
-
-
-class Branch:
-    """One attractor along a parameter.
-
-    Attributes
-    ----------
-    id : int
-        As in :class:`Attractor`.
-    name, alias : str
-    value : ndarray (n,)
-        Values of the parameter at which it exists, dimensionless.
-    r_min, r_mean, r_max : ndarray (n,)
-        Distance of the rotor's centre from the axis, in R.
-    growth_rate : ndarray (n,)
-        Of its slowest deviation, in omega_c.
-    stable : ndarray (n,), bool
-    kind : list[str]
-        As in :class:`Attractor`, at each value.
-    multiplier : ndarray (n,)
-        Largest Floquet multiplier; nan where there is none.
-    events : list[Event]
-
-    Examples
-    --------
-    >>> eq.follow(oiled, "speed.final", 2.4, 2.5, 0.1, starts=50)["balanced"].value
-    array([2.4, 2.5])
-    """
-
-    def __init__(self, data: dict[str, Any], events: list[dict[str, Any]]) -> None:
-        self.data = data
-        self.id: int = data["id"]
-        self.name: str = data["name"]
-        self.alias: str = data["alias"] or ""
-        points = data["points"]
-
-        def column(name: str) -> Array:
-            """Numbers of every point; nan where it has none."""
-            return np.array([p.get(name) for p in points], dtype=float)
-
-        self.value, self.growth_rate, self.multiplier = column("value"), column("growth_rate"), column("multiplier")
-        radial = np.array([[p["radial"][name] for p in points] for name in ("min", "mean", "max")], dtype=float)
-        self.r_min, self.r_mean, self.r_max = radial
-        self.stable = np.array([p["stable"] for p in points], dtype=bool)
-        self.kind = [p["kind"] for p in points]
-        self.events = [
-            Event(e["change"], e["type"], *e["between"], *(e["radial"][name] for name in ("min", "mean", "max")))
-            for e in events
-            if e["id"] == self.id
-        ]
-
-    def __repr__(self) -> str:
-        stretch = f"{self.value[0]:g} to {self.value[-1]:g}" if len(self.value) else "nowhere"
-        return f"<Branch {self.id} {self.name}: {stretch}, stable at {int(self.stable.sum())} of {len(self.value)} values>"
 
 
 class BranchesResult(_Named[Branch]):

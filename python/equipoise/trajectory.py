@@ -324,5 +324,6 @@ def simulate(
         refuse("initial", rows, "one start or more")
     with settings(threads, progress, cpu, within) as how:
         core = _core.simulate(asked._core, times, until, between, rows, starts is not None, one, how)
-    many = not one and (rows is not None or starts is not None)
-    return unless_interrupted(Trajectories(core, asked) if many else Trajectory(core, asked), core.interrupted)
+    if one or (rows is None and starts is None):
+        return unless_interrupted(Trajectory(core, asked), core.interrupted)
+    return unless_interrupted(Trajectories(core, asked), core.interrupted)

@@ -52,6 +52,6 @@ eq.plot.disc(eq.simulate(study, 10.0), frame="room").figure.savefig("room.png")
 eq.basin(study, method="halton")  # type: ignore[arg-type]
 eq.paper_study("table-2-omega-2.4", law="dynamic")  # type: ignore[arg-type]
 eq.basin("study.toml")  # type: ignore[arg-type]
-eq.simulate(study, frames=10)  # type: ignore[call-arg]
+eq.simulate(study, frames=10)  # type: ignore[call-overload]
 eq.plot.disc(eq.simulate(study), frame="moon")  # type: ignore[arg-type]
 eq.State(phi=[1.0], x_dot=0.0, y_dot=0.0).to("fixed")  # type: ignore[arg-type]

@@ -14,7 +14,8 @@ from . import parts
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..motions import Branch, BranchesResult
+    from ..branches import Branch
+    from ..motions import BranchesResult
     from ..sweeps import SweepResult
 
 

@@ -169,7 +169,7 @@ class BranchOfCycles {
     const VectorXd chord = b.point - a.point;
     double low = 0.0, high = 1.0;
     CyclePlace near = after;
-    for (int k = 0; k < 10; ++k) {
+    for (int k = 0; k < (from_cycle_ ? 24 : 10); ++k) {
       const double middle = 0.5 * (low + high);
       const auto at = follower_.at_plane(a.point + middle * chord, chord.normalized());
       const auto found = at ? place(*at) : std::nullopt;

@@ -282,12 +282,12 @@ MotionBranch follow_motion(const Study& study, const std::string& key, double at
     const auto refuse = [&](const std::string& what) {
       throw InputError(study.name, "state", "", what + "; must lie on an equilibrium or a periodic motion");
     };
-    if (!motion) refuse("comes to no steady motion");
+    if (!motion) refuse("leads to no steady motion");
     if (motion->kind == MotionKind::periodic) return follow_orbit(range, motion->orbit, o.stop);
-    if (motion->kind != MotionKind::equilibrium) refuse(fmt::format("comes to a {} motion", name_of(motion->kind)));
+    if (motion->kind != MotionKind::equilibrium) refuse(fmt::format("leads to a {} motion", name_of(motion->kind)));
     const auto equilibrium = refine_equilibrium(system, motion->state);
     if (!equilibrium || model::balanced_freedom(system) > 0 || free_angles(system, motion->state) > 0)
-      refuse("comes to one of a continuum of equilibria");
+      refuse("leads to one of a continuum of equilibria");
     return EquilibriumCurve(range, system).follow(*equilibrium, o.stop);
   });
 }
