@@ -218,6 +218,12 @@ class Simulate(Case):
             self.assertEqual((done.returncode, done.stdout), (0, ""))
             self.assertGreater(os.path.getsize(path), 100)
 
+    def test_a_rotor_without_balls_has_no_columns_of_balls(self):
+        path = self.path("alone.nc")
+        done = run("simulate", ROW, "--at", "1,2", "--set", "balancer.balls=0", "-o", path)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(run("inspect", path).stdout, r"trajectory, (.|\n)*t +2\n")
+
     def test_many_starts_are_those_of_basin_each_as_it_runs_alone(self):
         times = ["--at", "0,5,30"]
         done = run("simulate", ROW, *times, "--starts", "3", "--seed", "4")

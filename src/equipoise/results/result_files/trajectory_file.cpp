@@ -56,13 +56,16 @@ void write(const std::string& path, std::span<const Trajectory> runs, const std:
   const Trajectory& first = runs.empty() ? none : runs.front();
   std::vector<std::size_t> along;
   if (many) along.push_back(data.dimension("start", runs.size()));
-  const std::size_t time = data.dimension("t", times.size()), ball = data.dimension("ball", first.phi.size());
-  const std::size_t bearing =
-      first.bearing_radial.empty() ? ball : data.dimension("bearing", first.bearing_radial.size());
+  const std::size_t time = data.dimension("t", times.size());
+  const auto dimension = [&](const char* name, std::size_t length) {
+    return length > 0 ? data.dimension(name, length) : time;  // without balls there are no such columns
+  };
+  const std::size_t ball = dimension("ball", first.phi.size());
+  const std::size_t bearing = dimension("bearing", first.bearing_radial.size());
   along.push_back(time);
   const std::size_t rows = times.size();
   for (const TrajectoryColumn& c : trajectory_columns) {
-    if (!c.is_in(first)) continue;
+    if (!c.is_in(first) || (c.each && (first.*c.each).empty())) continue;
     if (c.values == &Trajectory::t) {
       data.add(c, {time}, [&times](std::size_t k) { return times[k]; });
     } else if (c.values) {
