@@ -125,7 +125,7 @@ void add_parameters(CLI::App& app, PlaneArguments& a, const char* size) {
 
 template <class Arguments>
 std::shared_ptr<Arguments> arguments_over(const char* x, const char* y, const char* size) {
-  const auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<Arguments>();
   a->x = x;
   a->y = y;
   a->size = size;

@@ -31,7 +31,7 @@ using study::Dimension;
 
 // "12 kg" of a study with scales, else "0.05 R".
 std::string quantity(const Study& s, double value, Dimension dimension) {
-  const std::string number = engineering(s.scales, value, dimension);
+  std::string number = engineering(s.scales, value, dimension);
   if (s.scales) return number;
   const char* unit = dimension == Dimension::mass        ? "M"
                      : dimension == Dimension::stiffness ? "k"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/undecided.hpp"

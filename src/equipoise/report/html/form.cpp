@@ -92,10 +92,10 @@ std::string label_of(const std::string& key) {
   const study::KeyTable* table = study::find_keys(key.substr(0, dot));
   const study::Key* known = table ? table->find(key.substr(dot + 1), false) : nullptr;
   if (known && known->label) return known->label;
-  const std::string words = key_words(key);
+  std::string words = key_words(key);
   const std::size_t shown = key.starts_with("place.") ? dot : key.find('.');
   const bool generic =
-      words.size() == key.size() && words.compare(shown + 1, words.npos, key_words(key.substr(shown + 1))) == 0;
+      words.size() == key.size() && words.compare(shown + 1, std::string::npos, key_words(key.substr(shown + 1))) == 0;
   if (!generic) return words;
   const std::string below = words.substr(shown + 1), last = " " + key.substr(dot + 1);  // "balance grade grade"
   return below.ends_with(last + last) ? below.substr(0, below.size() - last.size()) : below;

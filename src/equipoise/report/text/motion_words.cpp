@@ -53,7 +53,7 @@ std::string plain_name(const std::string& name) {
     if (name.starts_with(beginning)) return plain + name.substr(beginning.size());
   // "2 captured, 1 drifting"
   const std::size_t stay = name.find(" captured"), go = name.find(" drifting");
-  if (stay == name.npos || go == name.npos || stay > go) return "";
+  if (stay == std::string::npos || go == std::string::npos || stay > go) return "";
   std::string text = name;
   text.replace(go, std::string_view(" drifting").size(), " circulating");
   return "balls: " + text.replace(stay, std::string_view(" captured").size(), " staying");

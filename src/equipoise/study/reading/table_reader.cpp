@@ -127,7 +127,7 @@ Measured measure_value(const StudyValue& value, const Wanted& wanted,
   if (!value.string())
     reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
                        value.is_number() ? "a plain number" : "no quantity", wanted.text()));
-  const Measured result = measure(*value.string(), wanted.dimensions);
+  Measured result = measure(*value.string(), wanted.dimensions);
   if (!result.problem.empty()) reject(result.problem);
   const auto must_be = [&] { return Wanted(wanted.range, {result.dimension}).text(); };
   if (!wanted.range.contains(result.value)) reject("must be " + must_be());
