@@ -118,7 +118,7 @@ def public(source):
         names[module].add(name)
     for module, wanted in names.items():
         written = (source / f"python/equipoise/{module}.py").read_text()
-        order = re.findall(r"^(class|def) (\w+)", written, re.MULTILINE)
+        order = dict.fromkeys(re.findall(r"^(class|def) (\w+)", written, re.MULTILINE))  # overloads are one function
         names[module] = [(kind, name) for kind, name in order if name in wanted]
     names["results"] = [("class", name) for name in ("Answer", "SavedAsData", "WithPage", "Result")]
     return names

@@ -21,7 +21,7 @@ from matplotlib.patches import Circle  # noqa: E402
 
 import equipoise as eq  # noqa: E402
 from equipoise import _core  # noqa: E402
-from equipoise.motions import Event  # noqa: E402
+from equipoise.branches import Event  # noqa: E402
 
 ROUNDING = 1e-9  # of sums of a few doubles; what is drawn is what was given
 
