@@ -49,9 +49,13 @@ double largest_speed(const Features& f, int balls) {
 
 }  // namespace
 
-bool inside(const FeatureBox& box, const Features& f, int balls) {
-  for (int i = 0; i < feature_count(balls); ++i)
-    if (!(f[i] >= box.low[i] && f[i] <= box.high[i])) return false;
+bool inside(const FeatureBox& box, const Features& f, int balls, const double* shifts) {
+  const int count = feature_count(balls);
+  const double* shift = shifts && box.trend >= 0 ? shifts + box.trend * count : nullptr;
+  for (int i = 0; i < count; ++i) {
+    const double value = shift ? f[i] - shift[i] : f[i];
+    if (!(value >= box.low[i] && value <= box.high[i])) return false;
+  }
   return true;
 }
 
@@ -201,7 +205,7 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
 
 bool WindowTracker::shows(const FeatureBox& box, const Features& f) const {
   const int balls = rule_->balls;
-  return inside(box, brought_back(f, box.trend, shifts_of(own_), balls), balls) &&
+  return inside(box, f, balls, shifts_of(own_)) &&
          !is_nearer_balance(f[1], 0.5 * (box.low[1] + box.high[1]), box.attractor, box.trend, shifts_of(own_), balls);
 }
 

@@ -32,8 +32,8 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
 /// Unchanged if there is no such row.
 Features brought_back(const Features& f, int trend, const double* shifts, int balls);
 
-/// Whether the features of a window lie inside.
-bool inside(const FeatureBox& box, const Features& f, int balls);
+/// Whether the features of a window lie inside, brought back by FeatureBox::trend if there are `shifts`.
+bool inside(const FeatureBox& box, const Features& f, int balls, const double* shifts = nullptr);
 
 /// A finite window of a torus or of chaos shows its extremes and means to a few percent.
 inline constexpr double known_tolerance = 0.05;
