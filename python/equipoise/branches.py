@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-_COLUMNS: dict[str, tuple[str, str]] = {
+COLUMNS: dict[str, tuple[str, str]] = {
     "stable": ("1", "whether the motion is stable"),
     "r_min": ("R", "smallest displacement"),
     "r_mean": ("R", "mean displacement"),
@@ -168,14 +168,14 @@ class FollowedBranch(Branch):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row per point, in the order of the curve."""
-        columns = {self.key: self.value, "kind": self.kind, **{name: getattr(self, name) for name in _COLUMNS}}
+        columns = {self.key: self.value, "kind": self.kind, **{name: getattr(self, name) for name in COLUMNS}}
         return optional("pandas").DataFrame(columns)
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over `point`, in the order of the curve; the parameter is a coordinate."""
         data: dict[str, Any] = {
             name: ("point", getattr(self, name).astype(float), {"units": unit, "long_name": meaning})
-            for name, (unit, meaning) in _COLUMNS.items()
+            for name, (unit, meaning) in COLUMNS.items()
         }
         data["drift"] = (("point", "ball"), self.drift, {"units": "omega_c", "long_name": "mean rate of the ball angle"})
         coordinates = {self.key: ("point", self.value), "ball": np.arange(1, self.study.balls + 1)}

@@ -15,7 +15,7 @@ from ._arguments import Array, MOST_STARTS, checked_study, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .attractor import Attractor
-from .branches import Branch
+from .branches import COLUMNS, Branch
 from .ensembles import with_starts
 from .errors import RunError
 from .results import Result, SavedAsData, member, optional, write_text
@@ -25,15 +25,6 @@ from .study import Study, option_value, plain
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-_UNITS = {
-    "stable": ("1", "whether the attractor is stable"),
-    "r_min": ("R", "smallest displacement"),
-    "r_mean": ("R", "mean displacement"),
-    "r_max": ("R", "largest displacement"),
-    "multiplier": ("1", "largest Floquet multiplier"),
-    "growth_rate": ("omega_c", "growth rate of the slowest deviation"),
-}
 
 _Item = TypeVar("_Item", "Attractor", "Branch")
 
@@ -203,7 +194,8 @@ class BranchesResult(_Named[Branch]):
             return optional("xarray").Dataset(attrs={"study": self.study.to_toml()})
         rows["stable"] = rows["stable"].astype(float)
         dataset = rows.set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
-        for name, (unit, meaning) in _UNITS.items():
+        for name in dataset.data_vars:
+            unit, meaning = COLUMNS[str(name)]
             dataset[name].attrs.update(units=unit, long_name=meaning)
         names = {b.id: b.name for b in self}
         dataset = dataset.assign_coords(name=("id", [names[int(number)] for number in dataset["id"]]))

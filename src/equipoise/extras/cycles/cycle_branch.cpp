@@ -21,7 +21,6 @@ using Eigen::VectorXd;
 constexpr double branch_tolerance = 1e-10;  // of a step of the integrations; curves are more precise
 constexpr CurveFollower::Limits branch_limits{0.02, 1e-7, 0.05, 0.15, true};
 constexpr double first_swing = 0.02;  // radians: small, and far above the integrations' errors
-constexpr std::size_t most_of_branch = 400;
 constexpr double parameter_step = 1e-6;
 
 class BranchOfCycles {

@@ -40,11 +40,13 @@ struct CycleCrossing {
 
 struct CycleBranch {
   std::vector<CyclePlace> places;
-  std::vector<CycleCrossing> crossings;  ///< each before the place behind_which it was met
-  std::vector<std::size_t> behind;       ///< of every crossing: the number of places before it
-  bool left = false;                     ///< ends where it leaves the square: its last place is on the border
+  std::vector<CycleCrossing> crossings;
+  std::vector<std::size_t> behind;  ///< of every crossing: the number of places before it
+  bool left = false;                ///< ends where it leaves the square: its last place is on the border
 };
 
+/// A branch has at most this many points.
+inline constexpr std::size_t most_of_branch = 400;
 /// With a larger one the others are lost in errors of integration.
 inline constexpr double largest_cycle_multiplier = 1e6;
 

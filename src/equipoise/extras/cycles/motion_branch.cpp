@@ -91,8 +91,6 @@ class BranchMaker {
   MotionBranch made_;
 };
 
-constexpr std::size_t most_points = 400;
-
 PeriodicOrbit orbit_of(const CyclePlace& place, const Winding& winding) {
   PeriodicOrbit orbit;
   orbit.period = place.shape.period;
@@ -135,7 +133,7 @@ MotionBranch follow_orbit(const Range& range, const PeriodicOrbit& orbit, const 
                       unstable_multipliers(place.multipliers) > unstable_multipliers(found.places[k - 1].multipliers));
     maker.add_point(place.at[0], describe_orbit(*range.system(place.at[0]), orbit_of(place, orbit.winding)));
   }
-  return maker.finish(first.parameters(), found.left, found.places.size() >= most_points);
+  return maker.finish(first.parameters(), found.left, found.places.size() >= most_of_branch);
 }
 
 // Where the rates vanish, over the parameter and the state in its own units.
@@ -161,7 +159,7 @@ class EquilibriumCurve {
     double step = 0.005;
     bool left = false;
     std::size_t count = 1;
-    for (; count < most_points && !left && !is_set(stop); ++count) {
+    for (; count < most_of_branch && !left && !is_set(stop); ++count) {
       const auto next = follower_.next(here, step);
       if (!next) return maker.finish(p, false, false);
       VectorXd there = next->point;
@@ -180,7 +178,7 @@ class EquilibriumCurve {
       last = found;
       here = *next;
     }
-    return maker.finish(p, left, count >= most_points);
+    return maker.finish(p, left, count >= most_of_branch);
   }
 
  private:
